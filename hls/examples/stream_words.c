@@ -144,7 +144,7 @@ int main(int count, char** given) {
         turn();
     } while ((board.words[PATH_LO] | (uint64_t)board.words[PATH_HI] << 32) !=
              (uint64_t)number_of("path_quanta") || is(CURVECORE_STATE_ACTIVE_MASK));
-    for (int n = 0; n < 40; ++n) turn(); /* until the last steps are out */
+    for (int n = 0; n < 200; ++n) turn(); /* until the last steps are out */
     set(CURVECORE_CONTROL, 0);
     return 0;
 }

@@ -31,13 +31,15 @@ struct StepPins {
     using At = decltype(signal_at(std::declval<Port>()));
 
     explicit StepPins(const hls::PulseTimes& times) {
-        // Unused here: frames of bytes, levels axis by axis, stops.
+        // Unused here: levels, positions axis by axis, rates of others, stops.
         signal_at(model.step_inverted_i);
         signal_at(model.direction_inverted_i);
         signal_at(model.by_axis_i);
         signal_at(model.axis_o);
         signal_at(model.position_i);
         signal_at(model.begins_i);
+        signal_at(model.rates_read_o);
+        signal_at(model.rates_i);
         signal_at(model.estop_i);
         signal_at(model.estop_o);
         signal_at(model.limit_i);

@@ -93,7 +93,7 @@ void WireStream::settle() {
     const WireClock::time_point end =
         machine_.now() + std::chrono::duration_cast<WireClock::duration>(time);
     while (machine_.now() < end) look();
-    for (int n = 0; n < kStepPeriods; ++n) machine_.steps();
+    for (int n = 0; n < periods; ++n) machine_.steps();
 }
 
 /// Carries out the operator's wishes. Returns false if the operator ended the program.

@@ -20,6 +20,14 @@ from synthesis.board_files import top  # noqa: E402
 from synthesis.boards import TOP, board_named  # noqa: E402
 from synthesis.cores import sources  # noqa: E402
 
+# The bench's clock is that of the design; Icarus has no PLL of the device either.
+PLL = """
+module pll (input clock_in, output clock_out, output locked);
+  assign clock_out = clock_in;
+  assign locked = 1'b1;
+endmodule
+"""
+
 
 def main():
     name, registers, folder = sys.argv[1:]
@@ -30,7 +38,7 @@ def main():
     for parameter, file in microcode.FILES.items():
         if parameter in settings:
             settings[parameter] = f'"{made / file}"'
-    text.write_text(top(board, settings))
+    text.write_text(top(board, settings) + PLL)
     runner = get_runner("icarus")
     runner.build(sources=[*sources("uart_line", TOP), text], hdl_toplevel="top", build_dir=folder,
                  always=True, build_args=["-g2012"], timescale=("1ns", "1ps"))

@@ -35,7 +35,7 @@ class Host:
 
 @cocotb.test()
 async def says_what_it_is_and_sees_its_switches(dut):
-    start_clock(dut.clk, 2 * round(5e11 / BOARD.oscillator_hz), "ps")
+    start_clock(dut.clk, 2 * round(5e11 / BOARD.clock_hz), "ps")
     dut.estop.value = 0
     dut.limit.value = 0
     host = Host(dut)

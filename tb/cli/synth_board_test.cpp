@@ -60,10 +60,10 @@ TEST(SynthBoard, ConstraintsAndTopFollowFromTheTable) {
               "set_io -pullup yes limit[0] 38\nset_io -pullup yes limit[1] 34\n"
               "set_io -pullup yes limit[2] 31\n");
     const std::string top = synth.read("out/boards/icebreaker/top.v");
-    EXPECT_PRED_FORMAT2(IsSubstring, "wire clock = clk;", top);
-    EXPECT_PRED_FORMAT2(IsSubstring, ".BitClocks(12)", top);
-    EXPECT_PRED_FORMAT2(IsSubstring, ".PeriodLog2(13)", top);
-    EXPECT_PRED_FORMAT2(IsSubstring, ".ClockHertz(12000000)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, "pll u_pll (.clock_in(clk)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".BitClocks(30)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".PeriodLog2(12)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".ClockHertz(30000000)", top);
 
     EXPECT_EQ(synth.synth({"--board", "ulx3s_85"}).status, 0);
     const std::string lpf = synth.read("out/boards/ulx3s_85/board.lpf");
