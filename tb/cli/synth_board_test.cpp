@@ -132,7 +132,7 @@ TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
     const ProgramResult result = engine_board(synth, 14);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_PRED_FORMAT2(IsSubstring,
-                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ClockHertz(25000000), "
+                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ClockHertz(90000000), "
                         ".Program(\"program.hex\"), .Data(\"data.hex\")",
                         synth.read("out/boards/engine/top.v"));
     const std::string program = synth.read("out/boards/engine/program.hex");
@@ -195,8 +195,8 @@ const std::vector<BadBoard> kBadBoards{
     {"UnknownParameter", R"({"parameters": {"Degree": 3}})", "motion_board has no parameter Deg"},
     {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",
      "Axes (FineBits + 7) + 4 clocks must fit"},
-    {"BaudTooFast", R"({"baud": 5000000})", "5000000 baud: a bit has 5 clocks, and not 8"},
-    {"BaudOff", R"({"baud": 2380000})", "2380000 baud: 11 clocks a bit are -4.5% off"},
+    {"BaudTooFast", R"({"baud": 15000000})", "15000000 baud: a bit has 6 clocks, and not 8"},
+    {"BaudOff", R"({"baud": 8570000})", "8570000 baud: 11 clocks a bit are -4.5% off"},
     {"UnknownFamily", R"({"family": "max10"})", "unknown family 'max10': one of ecp5, ice40"},
     {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
     {"UnknownEntry", R"({"colour": "green"})", "'colour': a board has board, part, "},
@@ -243,7 +243,8 @@ TEST(SynthBoard, OneThatDoesNotFitSaysByHowMuchAndLeavesNothingOld) {
 
 TEST(SynthBoard, OneThatIsNearlyFullSaysSoWhenItFails) {
     const SynthRun synth(kTools);
-    const ProgramResult result = synth.synth({"--board", "colorlight_i5", "--set", "Order=10"});
+    const ProgramResult result = synth.synth(
+        {"--board", "colorlight_i5", "--set", "Order=10", "--set", "PeriodLog2=13"});
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "synth: colorlight_i5: unroutable: Routing design failed, see " +
                               (synth.folder() / "out/boards/colorlight_i5/place.log").string() +
