@@ -57,7 +57,7 @@ module engine_motion #(
     output logic      [ 1:0] limb_o,
     output logic      [15:0] data_o,
     input  wire logic        leaves_i,
-    input  wire logic        awaited_i,  // somebody waits for a sample, with none there
+    input  wire logic        awaited_i, // somebody waits for a sample, with none there
 
     // What the programs of rates ask for: rtl/engine/engine_rates.sv, and positions of a host
     input  wire logic        position_waits_i,

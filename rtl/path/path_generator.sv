@@ -41,10 +41,10 @@ module path_generator #(
     output logic      [43:0] step_o,
 
     // Increments, a tick each
-    output logic             ds_valid_o,
-    output logic      [47:0] ds_o,
-    output logic      [16:0] ds_rate_o,
-    output logic             ds_active_o, // a program was under way
+    output logic        ds_valid_o,
+    output logic [47:0] ds_o,
+    output logic [16:0] ds_rate_o,
+    output logic        ds_active_o, // a program was under way
 
     // The present piece; piece_take_o: the next one begins
     output logic               piece_take_o,

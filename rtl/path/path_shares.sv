@@ -11,9 +11,9 @@ module path_shares #(
     input wire logic [3:0] samples_per_tick_log2_i,
 
     // Ticks
-    input  wire logic        tick_valid_i,
-    input  wire logic [47:0] tick_ds_i,
-    input  wire logic [17:0] tick_rate_i,
+    input wire logic        tick_valid_i,
+    input wire logic [47:0] tick_ds_i,
+    input wire logic [17:0] tick_rate_i,
 
     // Samples
     input  wire logic        wanted_i,

@@ -243,8 +243,8 @@ TEST(SynthBoard, OneThatDoesNotFitSaysByHowMuchAndLeavesNothingOld) {
 
 TEST(SynthBoard, OneThatIsNearlyFullSaysSoWhenItFails) {
     const SynthRun synth(kTools);
-    const ProgramResult result = synth.synth(
-        {"--board", "colorlight_i5", "--set", "Order=10", "--set", "PeriodLog2=13"});
+    const ProgramResult result =
+        synth.synth({"--board", "colorlight_i5", "--set", "Order=10", "--set", "PeriodLog2=13"});
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "synth: colorlight_i5: unroutable: Routing design failed, see " +
                               (synth.folder() / "out/boards/colorlight_i5/place.log").string() +
