@@ -26,6 +26,15 @@ struct MotionInputs {
     bool hold = false;
 };
 
+/// Returns a program of a store that is no power of two, with instructions behind it that it never
+/// comes to.
+inline std::vector<std::uint32_t> filled(std::vector<std::uint32_t> program) {
+    std::size_t size = 1;
+    while (size < program.size()) size *= 2;
+    program.resize(size);
+    return program;
+}
+
 class TimedMotion {
   public:
     static constexpr std::uint16_t kDigest = 0x5a17;
@@ -34,7 +43,7 @@ class TimedMotion {
         : period_(static_cast<std::uint64_t>(period)),
           ahead_(1 + hls::samples_ahead(sysc::timed_core(core))),
           streams_(ports_, kDigest),
-          engine_(program.program(), program.memory()) {
+          engine_(filled(program.program()), program.memory()) {
         ports_.memory.resize(std::size_t{1} << 15);
         board_.motion = this;
     }
