@@ -160,7 +160,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: --build serial: a curve core alone, which no motion has inside: take "
      "--build engine, or --on kernel"},
     {"SerialBuildInASystem", run_with({"--build", "serial", "--on", "systemc"}),
-     "curvecore: error: --build serial: a curve core alone"},
+     "curvecore: error: --build serial: a curve core alone, which no motion has inside: take "
+     "--build engine, or --on kernel"},
     {"BoardUnknown", run_with({"--on", "paper"}),
      "curvecore: error: --on 'paper': must be one of kernel, rtl, systemc, systemc-rtl"},
     {"StallOnTheKernel", run_with({"--on", "kernel", "--stall", "1"}),
