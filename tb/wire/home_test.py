@@ -89,7 +89,8 @@ class HomeTest(unittest.TestCase):
         for _, axis, way in steps:
             stands[axis] += way
             beyond = abs(stands[axis] - edges(places)[axis])
-            self.assertLessEqual(beyond, 2 * STEPS_PER_MM, f"axis {axis}")
+            # At 20 mm/s a hold acts 15 samples of 1.6 ms later: 0.5 mm of it.
+            self.assertLessEqual(beyond, 2.5 * STEPS_PER_MM, f"axis {axis}")
 
     def check_homed(self, steps, places):
         """Checks that all axes stand at HOME, which is OFFSET from their switches."""
