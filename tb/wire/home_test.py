@@ -84,7 +84,7 @@ class HomeTest(unittest.TestCase):
         self.finish(host, status, text)
 
     def check_overrun(self, steps, places):
-        """Checks that each axis is within 2 mm of its edge: samples ahead, the stop."""
+        """Checks that each axis is within 2.5 mm of its edge: samples ahead, the stop."""
         stands = [0, 0, 0]
         for _, axis, way in steps:
             stands[axis] += way
