@@ -318,7 +318,9 @@ illegal_parameter_test(motion_interpolator Build=3 "Build must be 0 or 2")
 foreach(module motion_interpolator motion_system motion_board motion_axi)
   illegal_parameter_test(${module} Build=1 "Build 1 is a curve core alone")
 endforeach()
-illegal_parameter_test(motion_interpolator Build=2 "Build 2 needs Program and Data")
+foreach(module motion_interpolator motion_system motion_board motion_axi)
+  illegal_parameter_test(${module} Build=2 "Build 2 needs Program and Data")
+endforeach()
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 
 # The registers: axes, bits of scale and of times.

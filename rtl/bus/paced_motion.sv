@@ -138,6 +138,9 @@ module paced_motion #(
   logic unused_killed;
   logic [15:0] unused_empty_segments;
   if (Build == 2) begin : g_engine
+    initial
+      if (Program == "" || Data == "")
+        $fatal(1, "Build 2 needs Program and Data, files that scripts/microcode.sh makes");
     localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
     logic [31:0] out;
     logic [1:0] limb;
@@ -281,9 +284,7 @@ module paced_motion #(
         .SampleInterval(SampleInterval),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
-        .ProfileQueueWords(ProfileQueueWords),
-        .Program(Program),
-        .Data(Data)
+        .ProfileQueueWords(ProfileQueueWords)
     ) u_motion (
         .clk_i,
         .rst_ni(rst_n),

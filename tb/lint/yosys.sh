@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # yosys.sh YOSYS FILE SOURCE... : FILE's module as its own top, every net driven once and from
-# somewhere; Build 2, which has no programs here, is linted in engine_interpolator.
+# somewhere; Build 2, which has no programs here, is linted in engine_motion.
 set -eu
 yosys=$1
 file=$2
