@@ -88,14 +88,12 @@ class WireTest(unittest.TestCase):
         report = self.report()
         self.assertEqual(report["drawn"]["steps"], counts(steps))
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
-        self.assertFalse(report["drawn"]["held"])
 
     def test_a_board_of_the_parallel_build_draws_it(self):
         steps, _ = self.draw("--fast", "--build", "parallel")
         self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
         report = self.report()
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
-        self.assertFalse(report["drawn"]["held"])
 
     def test_steps_are_those_of_the_system(self):
         curves = self.folder / "curves.ngc"
