@@ -130,10 +130,29 @@ module motion_interpolator #(
     logic [31:0] out;
     logic [ 1:0] unused_limb;
     logic [15:0] data;
-    logic unused_scale_high, unused_scale_last;
+    logic unused_scale_last, unused_setting_read;
+    logic [ 6:0] setting_word;
+    logic [16:0] override_q;
+    logic [32:0] setting_q;
+    always_ff @(posedge clk_i) begin
+      if (sample_request_ready_o) override_q <= override_i;
+      case (setting_word)
+        registers_pkg::Override:         setting_q <= {16'd0, override_q};
+        registers_pkg::Timing:           setting_q <= {29'd0, samples_per_tick_log2_i};
+        registers_pkg::HoldAcceleration: setting_q <= {1'b0, hold_acceleration_i};
+        registers_pkg::HoldSlope:        setting_q <= hold_slope_i;
+        registers_pkg::StopTicks:        setting_q <= {1'b0, stop_ticks_i};
+        default:                         setting_q <= '0;
+      endcase
+    end
     engine_motion #(
         .Order(Order),
+        .CoefBits(CoefBits),
+        .PositionBits(PositionBits),
+        .GuardBits(GuardBits),
         .AuxAxes(AuxAxes),
+        .Splines(Splines),
+        .Mode(Mode),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords),
@@ -142,18 +161,10 @@ module motion_interpolator #(
     ) u_motion (
         .clk_i,
         .rst_ni,
-        .made_for_i(engine_pkg::made_for(
-            system_pkg::core(
-                Order, Mode, CoefBits, PositionBits, GuardBits
-            ),
-            AuxAxes,
-            Splines,
-            SegmentQueueWords,
-            ProfileQueueWords,
-            0
-        )),
-        .tick_i(1'b1),
         .digest_i,
+        .setting_read_o(unused_setting_read),
+        .setting_word_o(setting_word),
+        .setting_i(setting_q),
         .segment_valid_i,
         .segment_ready_o,
         .segment_data_i,
@@ -165,12 +176,7 @@ module motion_interpolator #(
         .sample_request_valid_i,
         .sample_request_ready_o,
         .hold_i,
-        .override_i,
         .kill_i,
-        .samples_per_tick_log2_i,
-        .hold_acceleration_i,
-        .hold_slope_i,
-        .stop_ticks_i,
         .out_o(out),
         .limb_o(unused_limb),
         .data_o(data),
@@ -179,9 +185,8 @@ module motion_interpolator #(
         .position_waits_i(1'b0),
         .position_i(32'd0),
         .references_i(9'd0),
-        .scale_high_o(unused_scale_high),
+        .axis_i(4'd0),
         .scale_last_o(unused_scale_last),
-        .scale_i(32'd0),
         .path_valid_o,
         .path_ds_o,
         .path_rate_o,

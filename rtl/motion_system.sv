@@ -7,7 +7,7 @@
 //
 // In position mode samples come from registers as well: rtl/bus/position_buffer.sv.
 // A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due. A
-// request is answered in two clocks, whatever the motion does: rtl/bus/register_file.sv.
+// request is answered in two clocks, with Build 2 in six at most: rtl/bus/register_file.sv.
 //
 // After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
 // writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words within ROOM;
@@ -80,6 +80,7 @@ module motion_system #(
     output logic      [          2:0] galvo_data_o
 );
 
+  initial if (Build == 2 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
 
@@ -90,28 +91,24 @@ module motion_system #(
       SegmentQueueWords, ProfileQueueWords, SampleBufferWords
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
+  localparam logic [15:0] BoardDigest = system_pkg::digest(Capability, Core, ClockHertz);
   localparam int Ahead = (Build == 2) ? 15 : SamplesAhead;  // samples_ahead() of hls/clocks.hpp
   localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, Ahead);
   logic [16:0] override_rate, rate;
   logic [15:0] watchdog, digest;
   logic [3:0] samples_per_tick_log2, scale_axis, steps_axis, position_axis, fault_axis;
   logic [31:0] hold_acceleration, stop_ticks;
-  logic [32:0] hold_slope;
+  logic [32:0] hold_slope, setting;
   logic [TimeBits-1:0] steplen, stepspace, dirsetup, dirhold;
   logic [Axes-1:0] step_inverted, direction_inverted, limit_masked;
-  logic scale_write;
   logic [ScaleBits-1:0] scale;
-  logic segment_valid, segment_ready, profile_valid, profile_ready;
+  logic segment_valid, segment_ready, profile_valid, profile_ready, position_write, position_ready;
   logic [47:0] register_word;
-  logic position_write, position_ready;
   logic control_write, control_ready, state_write, reference_write, reference_ready;
-  logic probe_write, homed_write;
-  logic [31:0] command, state, axes, room, samples, steps;
+  logic scale_write, probe_write, homed_write, note_ready, setting_read;
+  logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
   logic [63:0] path;
-  logic note_ready;
-  logic [6:0] note_word, kept_word;
-  logic [31:0] note_data, kept;
-  logic words, positions;  // they may be taken
+  logic [6:0] note_word, kept_word, setting_word;
   register_file #(
       .Axes      (Axes),
       .ScaleBits (ScaleBits),
@@ -175,17 +172,20 @@ module motion_system #(
       .note_word_i(note_word),
       .note_data_i(note_data),
       .kept_word_i(kept_word),
-      .kept_o(kept)
+      .kept_o(kept),
+      .read_i(setting_read),
+      .read_word_i(setting_word),
+      .setting_o(setting)
   );
 
   // Permissions
+  logic words, positions;  // they may be taken
   logic hold, ends, empty, begins, active, standing, underrun;
   logic [7:0] motion_fault;
-  logic sample_valid, sample_ready, sample_taken;
   logic [Axes*FineBits-1:0] sample;
   logic [FineBits-1:0] position;
-  logic by_position, queued, word_taken;
-  logic [5:0] rates_read;
+  logic sample_valid, sample_ready, sample_taken, by_position, queued, word_taken;
+  logic [4:0] rates_read;
   logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates;
   logic [Axes-1:0] limit, referenced, uncertain, overrun, refused, reference_axes, homed;
   logic [2*Axes-1:0] step_counts;
@@ -263,6 +263,7 @@ module motion_system #(
       .word_i,
       .kept_word_o(kept_word),
       .kept_i(kept),
+      .read_i(setting_read),
       .step_counts_i(step_counts),
       .referenced_i(referenced),
       .encoder_o(encoder),
@@ -286,14 +287,13 @@ module motion_system #(
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(Ahead),
       .SampleBufferWords(SampleBufferWords),
-      .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
       .Program(Program),
       .Data(Data)
   ) u_sources (
       .clk_i,
       .rst_ni,
-      .digest_i(digest ^ system_pkg::digest(Capability, Core, ClockHertz)),
+      .digest_i((Build == 2) ? BoardDigest : digest ^ BoardDigest),
       .words_i(words),
       .segment_valid_i(segment_valid),
       .segment_ready_o(segment_ready),
@@ -320,6 +320,9 @@ module motion_system #(
       .hold_acceleration_i(hold_acceleration),
       .hold_slope_i(hold_slope),
       .stop_ticks_i(stop_ticks),
+      .setting_read_o(setting_read),
+      .setting_word_o(setting_word),
+      .setting_i(setting),
       .ends_i(ends),
       .empty_o(empty),
       .sample_valid_o(sample_valid),
@@ -329,10 +332,6 @@ module motion_system #(
       .axis_i(position_axis),
       .position_o(position),
       .off_i(!enable_o),
-      .tick_i(tick),
-      .scale_write_i(scale_write),
-      .scale_axis_i(scale_axis),
-      .scale_i(scale),
       .reference_i(reference_axes),
       .rates_read_i(rates_read),
       .rates_o(rates),

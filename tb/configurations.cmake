@@ -50,15 +50,15 @@ foreach(words 2 128)
 endforeach()
 illegal_parameter_test(engine_entry Words=48 "Words must be a power of two in .2, 4096.")
 
-# The engine's samples as rates: axes, scale, sample period.
-rows(sizes 3,44,13 9,45,6)
+# The engine's samples as rates: axes, sample period.
+rows(sizes 3,13 9,6)
 foreach(size ${sizes})
-  read_row(${size} axes scale period)
-  core_test(engine_rates a${axes}_s${scale}_k${period} TOP engine_rates
-            PARAMS Axes=${axes} ScaleBits=${scale} PeriodLog2=${period})
+  read_row(${size} axes period)
+  core_test(engine_rates a${axes}_k${period} TOP engine_rates
+            PARAMS Axes=${axes} PeriodLog2=${period})
 endforeach()
 illegal_parameter_test(engine_rates Axes=10 "Axes must be in .1, 9.")
-illegal_parameter_test(engine_rates ScaleBits=46 "ScaleBits must be in .40, 45. with Build 2")
+illegal_parameter_test(motion_system ScaleBits=46 "ScaleBits must be in .40, 45. with Build 2")
 illegal_parameter_test(engine_rates PeriodLog2=14 "PeriodLog2 must be in .6, 13. with Build 2")
 illegal_parameter_test(engine_motion Ahead=17 "Ahead must be in .1, 16.")
 
@@ -70,9 +70,12 @@ foreach(size ${sizes})
             PARAMS Bits=${bits} Words=${words} Form=${form} SOURCES ${primitives_${form}})
 endforeach()
 illegal_parameter_test(single_port_memory Words=8 "Words must be in .16, 262144.")
-foreach(form 0 2)
-  core_test(position_buffer a3_${form_${form}} TOP position_buffer
-            PARAMS Axes=3 Bits=32 Words=64 Form=${form} SOURCES ${primitives_${form}})
+rows(sizes 0,0 0,1 2,0 2,1)
+foreach(size ${sizes})
+  read_row(${size} form holds)
+  core_test(position_buffer a3_${form_${form}}_h${holds} TOP position_buffer
+            PARAMS Axes=3 Bits=32 Words=64 Form=${form} Holds=${holds}
+            SOURCES ${primitives_${form}})
 endforeach()
 
 # The serial build's datapath, for arcs and for both kinds.

@@ -325,7 +325,7 @@
 #define CURVECORE_FOLLOWING_WORST0_ERROR_LOW 0
 #define CURVECORE_FOLLOWING_WORST0_ERROR_MASK 0xffffffffu
 
-/* Low 32 bits of the scale, kept like those of words. Of axis 0. */
+/* Low 32 bits of the scale, to be written before the others. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100
 #define CURVECORE_AXIS_SCALE_LO_SCALE_LOW 0
 #define CURVECORE_AXIS_SCALE_LO_SCALE_MASK 0xffffffffu

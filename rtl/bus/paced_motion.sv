@@ -9,7 +9,7 @@
 // and a clock more, in which no word is taken.
 //
 // With Build 2 samples are rates of the axes, and wait here until they are due: one that is taken
-// is what rates_read_i, {last, read, axis}, reads next; rates_o is {valid, and two clocks later
+// is what rates_read_i, {last, axis}, reads next; rates_o is {valid, and two clocks later
 // refused, fresh, moves, rate}. Samples of the host are drawn here, too: one at a time, when no
 // other waits.
 `default_nettype none
@@ -27,7 +27,6 @@ module paced_motion #(
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int SamplesAhead      = 4,     // [1, 15]
-    parameter int ScaleBits         = 44,    // [40, 45] with Build 2, the scales'
     parameter int PeriodLog2        = 13,
     parameter     Program           = "",    // files of Build 2
     parameter     Data              = ""
@@ -53,6 +52,11 @@ module paced_motion #(
     input wire logic [32:0] hold_slope_i,
     input wire logic [31:0] stop_ticks_i,
 
+    // .. and with Build 2 instead of these settings what asks for them: rtl/engine/engine_motion.sv
+    output logic             setting_read_o,
+    output logic      [ 6:0] setting_word_o,
+    input  wire logic [32:0] setting_i,
+
     // Samples, axis 0 in the low bits
     input wire logic ends_i,
     output logic empty_o,
@@ -63,15 +67,11 @@ module paced_motion #(
 
     // Build 2: rtl/engine/engine_rates.sv, rtl/motion_system.sv. No sample moves what is off.
     input wire logic off_i,
-    input wire logic tick_i,
-    input wire logic scale_write_i,
-    input wire logic [3:0] scale_axis_i,
-    input wire logic [ScaleBits-1:0] scale_i,
     input wire logic [3+AuxAxes-1:0] reference_i,
     input wire logic by_host_i,  // a host's sample waits
     output logic [3:0] axis_o,
     input wire logic [PositionBits-1:0] position_i,  // axis_o's, a clock later
-    input wire logic [5:0] rates_read_i,
+    input wire logic [4:0] rates_read_i,
     output logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Telemetry
@@ -147,9 +147,7 @@ module paced_motion #(
     logic [15:0] data;
     logic work;
     logic placing_q;
-    logic scale_high;
     logic scale_last;
-    logic [31:0] scale;
     logic [3+AuxAxes-1:0] references;
     logic unused_request_ready;
     logic signed [PositionBits-1:0] host;
@@ -164,7 +162,13 @@ module paced_motion #(
     end
     engine_motion #(
         .Order(Order),
+        .CoefBits(CoefBits),
+        .PositionBits(PositionBits),
+        .GuardBits(GuardBits),
         .AuxAxes(AuxAxes),
+        .Splines(Splines),
+        .Mode(Mode),
+        .RateBits(RateBits),
         .Ahead(SamplesAhead),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
@@ -174,18 +178,10 @@ module paced_motion #(
     ) u_motion (
         .clk_i,
         .rst_ni(work),
-        .tick_i,
-        .made_for_i(engine_pkg::made_for(
-            system_pkg::core(
-                Order, Mode, CoefBits, PositionBits, GuardBits
-            ),
-            AuxAxes,
-            Splines,
-            SegmentQueueWords,
-            ProfileQueueWords,
-            RateBits
-        )),
         .digest_i,
+        .setting_read_o,
+        .setting_word_o,
+        .setting_i,
         .segment_valid_i(segment_valid),
         .segment_ready_o(segment_ready),
         .segment_data_i(word_i),
@@ -197,12 +193,7 @@ module paced_motion #(
         .sample_request_valid_i(1'b1),
         .sample_request_ready_o(unused_request_ready),
         .hold_i,
-        .override_i,
         .kill_i(1'b0),
-        .samples_per_tick_log2_i,
-        .hold_acceleration_i,
-        .hold_slope_i,
-        .stop_ticks_i,
         .out_o(out),
         .limb_o(limb),
         .data_o(data),
@@ -211,9 +202,8 @@ module paced_motion #(
         .position_waits_i(by_host_i && !made),
         .position_i(position),
         .references_i(9'(references)),
-        .scale_high_o(scale_high),
+        .axis_i(axis_o),
         .scale_last_o(scale_last),
-        .scale_i(scale),
         .path_valid_o(unused_path_valid),
         .path_ds_o(unused_path_ds),
         .path_rate_o,
@@ -228,7 +218,6 @@ module paced_motion #(
     );
     engine_rates #(
         .Axes(3 + AuxAxes),
-        .ScaleBits(ScaleBits),
         .PeriodLog2(PeriodLog2)
     ) u_rates (
         .clk_i,
@@ -238,12 +227,7 @@ module paced_motion #(
         .high_i(limb != 2'd0),
         .data_i(data),
         .axis_o,
-        .scale_high_i(scale_high),
         .scale_last_i(scale_last),
-        .scale_o(scale),
-        .scale_write_i,
-        .scale_axis_i,
-        .scale_i,
         .reference_i,
         .references_o(references),
         .empty_i(!rst_n),
@@ -251,14 +235,14 @@ module paced_motion #(
         .ready_o(ready),
         .taken_i(taken),
         .valid_o(rates_o[RateBits+3]),
-        .read_i(rates_read_i[4]),
         .read_axis_i(rates_read_i[3:0]),
-        .read_last_i(rates_read_i[5]),
+        .read_last_i(rates_read_i[4]),
         .rate_o(rates_o[RateBits+2:0])
     );
     assign sample_o = '0;
     logic unused;
-    assign unused = &{1'b0, sample_ready_i, limb};
+    assign unused = &{1'b0, sample_ready_i, limb, override_i, samples_per_tick_log2_i,
+                      hold_acceleration_i, hold_slope_i, stop_ticks_i};
   end else begin : g_samples
     // Requests
     logic [3:0] ahead_q;  // samples requested and not taken
@@ -322,11 +306,12 @@ module paced_motion #(
         .fault_o,
         .empty_segments_o(unused_empty_segments)
     );
-    assign axis_o  = '0;
+    assign axis_o = '0;
     assign rates_o = '0;
+    assign setting_read_o = 1'b0;
+    assign setting_word_o = '0;
     logic unused;
-    assign unused = &{1'b0, off_i, tick_i, scale_write_i, scale_axis_i, scale_i, reference_i,
-                      by_host_i, position_i, rates_read_i};
+    assign unused = &{1'b0, setting_i, off_i, reference_i, by_host_i, position_i, rates_read_i};
   end
 
 endmodule

@@ -9,6 +9,9 @@
 //   axis_i         a
 //   position_o                     of axis a
 //
+// With Holds = 0 position_o is there a clock earlier, and it is undefined in the clock behind a
+// write.
+//
 // ready_o at a sample's first position decides whether the sample is taken. All positions of a
 // refused sample are refused, so that axes are never mistaken for each other.
 //
@@ -18,7 +21,8 @@ module position_buffer #(
     parameter int Axes = 3,  // [1, 9]
     parameter int Bits = 32,  // [16, 32]
     parameter int Words = 512,  // [32, 4096], a power of two
-    parameter int Form = 0  // 2: in SPRAM of UP5K
+    parameter int Form = 0,  // 2: in SPRAM of UP5K
+    parameter int Holds = 1  // 0, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -102,9 +106,7 @@ module position_buffer #(
     end
   end
   if (Form == 2) begin : g_spram
-    logic written_q;
     logic [Bits-1:0] word;
-    logic [Bits-1:0] position_q;
     single_port_memory #(
         .Bits (Bits),
         .Words(Words),
@@ -116,10 +118,16 @@ module position_buffer #(
         .word_i (data_i),
         .word_o (word)
     );
-    assign position_o = written_q ? position_q : word;
-    always_ff @(posedge clk_i) begin
-      written_q  <= write;
-      position_q <= position_o;
+    if (Holds == 1) begin : g_holds
+      logic written_q;
+      logic [Bits-1:0] position_q;
+      assign position_o = written_q ? position_q : word;
+      always_ff @(posedge clk_i) begin
+        written_q  <= write;
+        position_q <= position_o;
+      end
+    end else begin : g_passes
+      assign position_o = word;
     end
   end else begin : g_memory
     (* no_rw_check *)
@@ -127,8 +135,12 @@ module position_buffer #(
     logic [Bits-1:0] word_q;
     always_ff @(posedge clk_i) begin
       if (write) memory[write_q] <= data_i;
-      word_q     <= memory[read];
-      position_o <= word_q;  // block RAM is slow
+      word_q <= memory[read];
+    end
+    if (Holds == 1) begin : g_holds
+      always_ff @(posedge clk_i) position_o <= word_q;  // block RAM is slow
+    end else begin : g_passes
+      assign position_o = word_q;
     end
   end
 

@@ -12,11 +12,12 @@ module queue_room #(
 );
 
   localparam int First = (Words < 65536) ? Words : 65535;
-  logic [15:0] change;
-  assign change = put_i ? 16'hffff : 16'h0001;
+  localparam int Bits = $clog2(First + 1);
+  logic [Bits-1:0] room_q;
+  assign room_o = 16'(room_q);
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) room_o <= 16'(First);
-    else if (put_i != leave_i) room_o <= room_o + change;
+    if (!rst_ni) room_q <= Bits'(First);
+    else if (put_i != leave_i) room_q <= room_q + {{(Bits - 1) {put_i}}, 1'b1};
   end
 
 endmodule

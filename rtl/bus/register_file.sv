@@ -9,9 +9,14 @@
 //   error_o, data_o               of it, until the next one's
 //
 // Every request is answered in two clocks: a word without room is an error, not a wait. Only the
-// first answer after a reset takes 2^7 clocks more, in which a memory gets its reset values;
-// settings and constants are read from it, and notes (rtl/bus/probe_catch.sv), which wait for two
-// clocks at most.
+// first answer after a reset takes 2^7 clocks more, in which a memory gets its reset values.
+// Settings are read from it, constants, notes (rtl/bus/probe_catch.sv), which wait for two clocks
+// at most, and what is kept when PATH_LO is answered: the path of that clock, the rate of the one
+// before.
+//
+// The programs of Build 2 read their settings there, too, and come first: a request that finds them
+// reading takes up to 4 clocks more, a read 3, for they read in 3 clocks at most and leave 2. No
+// write meets them, so they read whole words.
 `default_nettype none
 module register_file #(
     parameter int Axes       = 3,   // [1, 9]
@@ -93,7 +98,12 @@ module register_file #(
     input  wire logic [ 6:0] note_word_i,
     input  wire logic [31:0] note_data_i,
     input  wire logic [ 6:0] kept_word_i,
-    output logic      [31:0] kept_o
+    output logic      [31:0] kept_o,
+
+    // Programs: a word, and a clock later what it says: of HOLD_SLOPE bit 32, too
+    input  wire logic        read_i,
+    input  wire logic [ 6:0] read_word_i,
+    output logic      [32:0] setting_o
 );
 
   initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
@@ -104,7 +114,9 @@ module register_file #(
   logic [7:0] fill_q;  // words of the memory that have their reset value: up to 2^7
   logic filled;
   logic works_q;
+  logic works;
   assign filled = fill_q[7];
+  assign works  = works_q && !(read_i && write_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fill_q  <= '0;
@@ -112,8 +124,8 @@ module register_file #(
       done_o  <= 1'b0;
     end else begin
       if (!filled) fill_q <= fill_q + 1'b1;
-      works_q <= filled && valid_i && !works_q && !done_o;
-      done_o  <= works_q;
+      works_q <= filled && valid_i && !works && !done_o && !read_i;
+      done_o  <= works;
     end
   end
 
@@ -163,25 +175,17 @@ module register_file #(
       default:                  taken = 1'b1;
     endcase
   end
-  assign writes = works_q && write_q && exists_q;
+  assign writes = works && write_q && exists_q;
 
-  // Words to be pushed
-  logic [31:0] low_q;
-  logic low;
-  always_comb begin
-    case (word_q)
-      registers_pkg::SegmentLo, registers_pkg::ProfileLo: low = 1'b1;
-      default: low = of_axis_q && axis_word == registers_pkg::AxisScaleLo;
-    endcase
-  end
-  always_ff @(posedge clk_i) if (writes && low) low_q <= data_i;
-  assign motion_word_o     = {data_i[15:0], low_q};
-  assign scale_o           = {data_i[ScaleBits-33:0], low_q};
+  // Words to be pushed: the low part is read from the memory.
+  logic [31:0] kept_q;
+  assign motion_word_o     = {data_i[15:0], kept_q};
+  assign scale_o           = {data_i[ScaleBits-33:0], kept_q};
   assign command_o         = data_i;
   assign scale_write_o     = writes && of_axis_q && axis_word == registers_pkg::AxisScaleHi;
-  assign segment_valid_o   = works_q && write_q && word_q == registers_pkg::SegmentHi;
-  assign profile_valid_o   = works_q && write_q && word_q == registers_pkg::ProfileHi;
-  assign sample_valid_o    = works_q && write_q && word_q == registers_pkg::Sample;
+  assign segment_valid_o   = works && write_q && word_q == registers_pkg::SegmentHi;
+  assign profile_valid_o   = works && write_q && word_q == registers_pkg::ProfileHi;
+  assign sample_valid_o    = works && write_q && word_q == registers_pkg::Sample;
   assign control_write_o   = writes && word_q == registers_pkg::Control && control_ready_i;
   assign state_write_o     = writes && word_q == registers_pkg::State;
   assign reference_write_o = writes && word_q == registers_pkg::Reference && reference_ready_i;
@@ -234,50 +238,71 @@ module register_file #(
     end
   end
 
-  // The memory. A note never meets an answer that is read.
+  // The memory. A note never meets an answer that is read, nor settings that programs read. A write
+  // reads the first word of its four: for the high part of a word or scale the low one, which both
+  // streams have in common.
   logic [31:0] fill_data;
-  logic [ 6:0] address;
+  logic fills;
+  logic keeps;  // what belongs to PATH_LO, which is read
+  logic [6:0] address;
   logic [31:0] data;
-  assign note_ready_o = filled && (!valid_i || done_o);
+  assign note_ready_o = filled && (!valid_i || done_o || (read_i && !works));
   always_comb begin
+    fills = !filled;
+    fill_data = registers_pkg::reset_value(fill_q[6:0]);
     case (fill_q[6:0])
-      registers_pkg::Version: begin
-        fill_data = registers_pkg::reset_value(fill_q[6:0]);
-        fill_data[registers_pkg::VersionWordsLow+:8] = 8'(words_pkg::Version);
-      end
-      registers_pkg::Capability: fill_data = 32'(Capability);
-      registers_pkg::Core:       fill_data = 32'(Core);
-      registers_pkg::Widths:     fill_data = 32'(Widths);
-      registers_pkg::Clock:      fill_data = 32'(ClockHertz);
-      default:                   fill_data = registers_pkg::reset_value(fill_q[6:0]);
+      registers_pkg::Id, registers_pkg::Version, registers_pkg::Capability, registers_pkg::Core,
+      registers_pkg::Clock, registers_pkg::Widths:
+      {fills, fill_data} = '0;
+      default: ;
     endcase
   end
+  assign keeps = filled && valid_i && !done_o && !write_i && word_i == registers_pkg::PathLo;
   always_comb begin
     if (!filled) {address, data} = {fill_q[6:0], fill_data};
     else if (note_ready_o) {address, data} = {note_word_i, note_data_i};
+    else if (keeps && works) {address, data} = {registers_pkg::PathHi, path_i[63:32]};
+    else if (keeps) {address, data} = {registers_pkg::Rate, 15'd0, rate_i};
     else {address, data} = {word_i, data_i};
+    if (address == registers_pkg::ProfileLo) address = registers_pkg::SegmentLo;
   end
   (* no_rw_check *)
-  logic [31:0] memory [128];
-  logic [31:0] kept_q;
+  logic [31:0] memory[128];
+  initial begin  // constants: the device's configuration
+    for (int n = 0; n < 128; n = n + 1) memory[n] = '0;
+    memory[registers_pkg::Id] = registers_pkg::reset_value(registers_pkg::Id);
+    memory[registers_pkg::Version] = registers_pkg::reset_value(registers_pkg::Version) |
+        (32'(words_pkg::Version) << registers_pkg::VersionWordsLow);
+    memory[registers_pkg::Capability] = 32'(Capability);
+    memory[registers_pkg::Core] = 32'(Core);
+    memory[registers_pkg::Clock] = 32'(ClockHertz);
+    memory[registers_pkg::Widths] = 32'(Widths);
+  end
+  logic [6:0] read_address;
   assign kept_o = kept_q;
-  always_ff @(posedge clk_i) begin
-    if (!filled || note_ready_o || writes) memory[address] <= data;
-    kept_q <= memory[note_ready_o?kept_word_i : word_i];
+  always_comb begin
+    if (read_i) read_address = read_word_i;
+    else if (note_ready_o) read_address = kept_word_i;
+    else read_address = {word_i[6:2], write_i ? 2'd0 : word_i[1:0]};
+  end
+  always @(posedge clk_i) begin  // with always_ff nothing else, no initial block, might write it
+    if (fills || note_ready_o || keeps || writes) memory[address] <= data;
+    kept_q <= memory[read_address];
   end
 
-  // Answers. All parts of the path are of one clock.
-  logic [31:0] high_q;
-  logic [16:0] rate_q;
-  typedef enum logic [3:0] {
+  // Settings: STOP_TICKS has 29 bits, and of HOLD_SLOPE 0 is 2^32.
+  logic stop_ticks_is_read_q;
+  always_ff @(posedge clk_i) stop_ticks_is_read_q <= read_word_i == registers_pkg::StopTicks;
+  assign setting_o = {kept_q == '0, stop_ticks_is_read_q ? 3'd0 : kept_q[31:29], kept_q[28:0]};
+
+  // Answers
+  typedef enum logic [2:0] {
     Kept,
     State,
     AxesWord,
     Room,
     Samples,
     PathLo,
-    PathHi,
-    Rate,
     Steps
   } answer_t;
   (* fsm_encoding = "none" *)
@@ -290,8 +315,6 @@ module register_file #(
       registers_pkg::Room: answer_q <= Room;
       registers_pkg::Samples: answer_q <= Samples;
       registers_pkg::PathLo: answer_q <= PathLo;
-      registers_pkg::PathHi: answer_q <= PathHi;
-      registers_pkg::Rate: answer_q <= Rate;
       default: answer_q <= of_axis && word_i[1:0] == registers_pkg::AxisSteps ? Steps : Kept;
     endcase
   end
@@ -303,19 +326,13 @@ module register_file #(
       Room:    answer = room_i;
       Samples: answer = samples_i;
       PathLo:  answer = path_i[31:0];
-      PathHi:  answer = high_q;
-      Rate:    answer = {15'd0, rate_q};
       default: answer = steps_i;
     endcase
   end
   always_ff @(posedge clk_i) begin
-    if (works_q) begin
+    if (works) begin
       error_o <= !exists_q || (write_q && !taken);
       data_o  <= answer;
-      if (!write_q && word_q == registers_pkg::PathLo) begin
-        high_q <= path_i[63:32];
-        rate_q <= rate_i;
-      end
     end
   end
 

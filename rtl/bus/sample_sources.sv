@@ -24,7 +24,6 @@ module sample_sources #(
     parameter int ProfileQueueWords = 1024,
     parameter int SamplesAhead      = 4,
     parameter int SampleBufferWords = 512,
-    parameter int ScaleBits         = 44,
     parameter int PeriodLog2        = 13,
     parameter     Program           = "",
     parameter     Data              = ""
@@ -66,6 +65,11 @@ module sample_sources #(
     input wire logic [32:0] hold_slope_i,
     input wire logic [31:0] stop_ticks_i,
 
+    // .. and of Build 2: rtl/bus/paced_motion.sv
+    output logic             setting_read_o,
+    output logic      [ 6:0] setting_word_o,
+    input  wire logic [32:0] setting_i,
+
     // Samples: all axes of a program's, one axis' position of the host's
     input  wire logic                                            ends_i,
     output logic                                                 empty_o,
@@ -78,12 +82,8 @@ module sample_sources #(
 
     // Rates, with Build 2: rtl/bus/paced_motion.sv
     input  wire logic                                          off_i,
-    input  wire logic                                          tick_i,
-    input  wire logic                                          scale_write_i,
-    input  wire logic [                                   3:0] scale_axis_i,
-    input  wire logic [                         ScaleBits-1:0] scale_i,
     input  wire logic [                         3+AuxAxes-1:0] reference_i,
-    input  wire logic [                                   5:0] rates_read_i,
+    input  wire logic [                                   4:0] rates_read_i,
     output logic      [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Telemetry
@@ -139,7 +139,6 @@ module sample_sources #(
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(SamplesAhead),
-      .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
       .Program(Program),
       .Data(Data)
@@ -160,6 +159,9 @@ module sample_sources #(
       .hold_acceleration_i,
       .hold_slope_i,
       .stop_ticks_i,
+      .setting_read_o,
+      .setting_word_o,
+      .setting_i,
       .ends_i,
       .empty_o(motion_empty),
       .sample_valid_o(motion_valid),
@@ -167,10 +169,6 @@ module sample_sources #(
       .sample_taken_o(motion_taken),
       .sample_o,
       .off_i,
-      .tick_i,
-      .scale_write_i,
-      .scale_axis_i,
-      .scale_i,
       .reference_i,
       .by_host_i(queued_o),
       .axis_o(rate_axis),
@@ -191,7 +189,8 @@ module sample_sources #(
       .Axes (3 + AuxAxes),
       .Bits (PositionBits),
       .Words(SampleBufferWords),
-      .Form (MultiplierForm)
+      .Form (MultiplierForm),
+      .Holds((Build == 2) ? 0 : 1)
   ) u_positions (
       .clk_i,
       .rst_ni,

@@ -4,6 +4,11 @@
 //
 //   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> out_o
 //
+//   clock             0            1
+//   setting_read_o    1
+//   setting_word_o    a register
+//   setting_i                      what it says
+//
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
 // the assembler makes for these parameters. A program says first what it is made for: fault_o[7] is
 // up for one for other parameters, which finds no request, and as when it makes no sample for one
@@ -16,7 +21,13 @@
 `default_nettype none
 module engine_motion #(
     parameter int Order             = 6,     // [2, 12]
+    parameter int CoefBits          = 36,    // [18, 36]
+    parameter int PositionBits      = 32,    // [16, 32]
+    parameter int GuardBits         = 10,    // [2, 12]
     parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Splines           = 1,     // 0, 1
+    parameter int Mode              = 1,     // 0, 1
+    parameter int RateBits          = 0,     // 0: samples are positions, or width of a rate
     parameter int Ahead             = 16,    // [1, 16] samples asked for and not taken, at most
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
@@ -26,12 +37,15 @@ module engine_motion #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic tick_i,  // the programs begin behind one
 
-    input wire logic [14:0] made_for_i,  // engine_pkg::made_for
+    // Settings and scales, as the registers have them (rtl/bus/register_file.sv), in digits of 15
+    // bits in clocks that follow each other. DIGEST is that of words beside digest_i.
+    input  wire logic [15:0] digest_i,
+    output logic             setting_read_o,
+    output logic      [ 6:0] setting_word_o,
+    input  wire logic [32:0] setting_i,
 
     // Ports of rtl/motion_interpolator.sv
-    input  wire logic [15:0] digest_i,
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
     input  wire logic [47:0] segment_data_i,
@@ -41,16 +55,10 @@ module engine_motion #(
     output logic             segment_leaves_o,
     output logic             profile_leaves_o,
 
-    input  wire logic        sample_request_valid_i,
-    output logic             sample_request_ready_o,
-    input  wire logic        hold_i,
-    input  wire logic [16:0] override_i,
-    input  wire logic        kill_i,
-
-    input wire logic [ 3:0] samples_per_tick_log2_i,
-    input wire logic [31:0] hold_acceleration_i,
-    input wire logic [32:0] hold_slope_i,
-    input wire logic [31:0] stop_ticks_i,
+    input  wire logic sample_request_valid_i,
+    output logic      sample_request_ready_o,
+    input  wire logic hold_i,
+    input  wire logic kill_i,
 
     // Samples: the limb that is put out, by its port; samples that are taken
     output logic      [31:0] out_o,
@@ -63,9 +71,8 @@ module engine_motion #(
     input  wire logic        position_waits_i,
     input  wire logic [31:0] position_i,        // signed
     input  wire logic [ 8:0] references_i,
-    output logic             scale_high_o,
+    input  wire logic [ 3:0] axis_i,            // whose scale is read
     output logic             scale_last_o,
-    input  wire logic [31:0] scale_i,           // two clocks later; its port is told a clock early
 
     output logic        path_valid_o,
     output logic [47:0] path_ds_o,
@@ -97,15 +104,11 @@ module engine_motion #(
   localparam logic [4:0] InMemory = 5'd3;
   localparam logic [4:0] InWord = 5'd4;
   localparam logic [4:0] InCheck = 5'd5;
-  localparam logic [4:0] InOverride = 5'd8;
-  localparam logic [4:0] InAcceleration = 5'd9;
-  localparam logic [4:0] InSlope = 5'd10;
-  localparam logic [4:0] InStopTicks = 5'd11;
-  localparam logic [4:0] InSamplesPerTick = 5'd12;
-  localparam logic [4:0] InDigest = 5'd13;
-  localparam logic [4:0] InScaleLow = 5'd14;
-  localparam logic [4:0] InScaleHigh = 5'd15;
-  localparam logic [4:0] InPosition = 5'd16;
+  localparam logic [4:0] InSettings = 5'd8;  // 8 to 23 are registers of that number
+  localparam logic [4:0] InScaleLow = 5'd24;
+  localparam logic [4:0] InScaleHigh = 5'd25;
+  localparam logic [4:0] InPosition = 5'd26;
+  localparam logic [4:0] InReferences = 5'd27;
   localparam int OutMemory = 3;
   localparam int OutAddress = 4;
   localparam int OutTake = 5;
@@ -144,7 +147,7 @@ module engine_motion #(
       .clk_i,
       .rst_ni,
       .due_i       (1'b0),
-      .tick_i,
+      .tick_i      (1'b1),
       .busy_o      (unused_busy),
       .late_o      (unused_late),
       .changed_o   (changed),
@@ -164,7 +167,18 @@ module engine_motion #(
     out[out_port] = out_valid;
   end
   logic own, own_q;  // the program is made for these parameters
-  assign own = out_data[14:0] == made_for_i;
+  logic [14:0] made_for;
+  assign made_for = engine_pkg::made_for(
+      system_pkg::core(
+          Order, Mode, CoefBits, PositionBits, GuardBits
+      ),
+      AuxAxes,
+      Splines,
+      SegmentQueueWords,
+      ProfileQueueWords,
+      RateBits
+  );
+  assign own = out_data[14:0] == made_for;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) own_q <= 1'b0;
     else if (out[OutMadeFor]) own_q <= own;
@@ -172,7 +186,6 @@ module engine_motion #(
   assign out_o = out;
   assign limb_o = out_limb;
   assign data_o = out_data;
-  assign scale_high_o = in_port == InScaleHigh;
   assign scale_last_o = in_valid && in_port == InScaleHigh && in_limb == 2'd2;
 
   // Words
@@ -229,15 +242,11 @@ module engine_motion #(
   // Requests
   logic held_q;
   logic [4:0] under_way_q, under_way;  // samples, requested and not taken
-  logic [16:0] override_q;
   assign sample_request_ready_o = out[OutTakeRequest];
   assign under_way = under_way_q + {{4{leaves_i && !out[OutTakeRequest]}},
                                     leaves_i != out[OutTakeRequest]};
   always_ff @(posedge clk_i) begin
-    if (out[OutTakeRequest]) begin
-      held_q     <= hold_i;
-      override_q <= override_i;
-    end
+    if (out[OutTakeRequest]) held_q <= hold_i;
     if (!rst_ni) under_way_q <= '0;
     else under_way_q <= under_way;
     if (!rst_ni) killed_o <= 1'b0;
@@ -256,30 +265,40 @@ module engine_motion #(
     sample_request_valid_i && own_q && under_way_q != 5'(Ahead) && !out[OutTakeRequest]
   };
 
+  // Registers, read in the clock of a question; while programs ask for anything else but words no
+  // register is written either.
+  logic of_scale;
+  assign of_scale = in_port == InScaleLow || in_port == InScaleHigh;
+  assign setting_read_o = in_valid && in_port >= InSettings;
+  assign setting_word_o = of_scale ? {1'b1, axis_i, 1'b0, in_port == InScaleHigh} : {2'd0, in_port};
+
+  // Its digits, of the bits that it has: which, a clock ahead
+  logic [15:0] first_q, second_q, third_q;
+  logic digest_q;
+  logic [15:0] setting_limb;
+  always_ff @(posedge clk_i) begin
+    first_q  <= {setting_word_o == registers_pkg::Digest, {15{in_limb == 2'd0}}};
+    second_q <= {1'b0, {15{in_limb == 2'd1}}};
+    third_q  <= {13'd0, setting_word_o == registers_pkg::HoldSlope, 2'b11} & {16{in_limb[1]}};
+    if (setting_word_o == registers_pkg::Timing) first_q[14:4] <= '0;
+    if (setting_word_o == registers_pkg::Override) second_q[14:2] <= '0;
+    digest_q <= setting_word_o == registers_pkg::Digest;
+  end
+  assign setting_limb = (first_q & setting_i[15:0]) | (second_q & {1'b0, setting_i[29:15]}) |
+      (third_q & {13'd0, setting_i[32:30]});
+
   // Answers, two clocks behind their question
   logic [ 4:0] port_q;
   logic [ 1:0] limb_q;
-  logic [32:0] setting;
-  logic [15:0] setting_limb;
+  logic [15:0] position_limb;
   logic [13:0] references;
   for (genvar axis = 0; axis < 9; axis++) assign references[13-axis] = references_i[axis];
   assign references[4:0] = '0;
   always_comb begin
-    case (port_q)
-      InOverride: setting = {16'd0, override_q};
-      InAcceleration: setting = {1'b0, hold_acceleration_i};
-      InSlope: setting = hold_slope_i;
-      InStopTicks: setting = {1'b0, stop_ticks_i};
-      InSamplesPerTick: setting = {29'd0, samples_per_tick_log2_i};
-      InDigest: setting = {17'd0, digest_i};
-      InScaleLow, InScaleHigh: setting = {1'b0, scale_i};
-      InPosition: setting = {position_i[31], position_i};
-      default: setting = {19'd0, references};
-    endcase
     case (limb_q)
-      2'd0: setting_limb = (port_q == InDigest) ? setting[15:0] : {1'b0, setting[14:0]};
-      2'd1: setting_limb = {1'b0, setting[29:15]};
-      default: setting_limb = {{13{setting[32] && port_q == InPosition}}, setting[32:30]};
+      2'd0: position_limb = {1'b0, position_i[14:0]};
+      2'd1: position_limb = {1'b0, position_i[29:15]};
+      default: position_limb = {{14{position_i[31]}}, position_i[31:30]};
     endcase
   end
   always_ff @(posedge clk_i) begin
@@ -287,9 +306,11 @@ module engine_motion #(
     limb_q <= in_limb;
     case (port_q)
       InMemory: in_data <= store_limb;
-      InWord:   in_data <= word_limb;
-      InCheck:  in_data <= check;
-      default:  in_data <= setting_limb;
+      InWord: in_data <= word_limb;
+      InCheck: in_data <= check;
+      InPosition: in_data <= position_limb;
+      InReferences: in_data <= {2'd0, references};
+      default: in_data <= setting_limb ^ (digest_i & {16{digest_q}});
     endcase
   end
 

@@ -20,12 +20,15 @@ package engine_pkg;
   localparam logic [4:0] PortY = 5'd1;
   localparam logic [4:0] PortLink = 5'd2;
 
+  // Counts the changes of rtl/engine/programs/ports.asm that programs made before do not know of
+  localparam int PortNumbers = 1;
+
   // Returns what microcode is made for, a digest of its core: rtl/engine/compiler/word_numbers.hpp
   function automatic logic [14:0] made_for(input int core, input int aux_axes, input int splines,
                                            input int segment_queue_words,
                                            input int profile_queue_words, input int rate_bits);
     logic [15:0] sum;
-    sum = system_pkg::digest_word(16'd0, 32'(core));
+    sum = system_pkg::digest_word(16'(PortNumbers), 32'(core));
     sum = system_pkg::digest_word(sum, 32'((rate_bits << 8) + 2 * aux_axes + splines));
     sum = system_pkg::digest_word(sum, 32'(segment_queue_words));
     sum = system_pkg::digest_word(sum, 32'(profile_queue_words));

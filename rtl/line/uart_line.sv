@@ -24,8 +24,9 @@ module uart_line #(
     if (BitClocks < 4 || BitClocks > 65535) $fatal(1, "BitClocks must be in [4, 65535]");
   end
 
-  localparam logic [15:0] Bit = 16'(BitClocks - 1);
-  localparam logic [15:0] Half = 16'(BitClocks / 2 - 1);
+  localparam int WaitBits = $clog2(BitClocks);
+  localparam logic [WaitBits-1:0] Bit = WaitBits'(BitClocks - 1);
+  localparam logic [WaitBits-1:0] Half = WaitBits'(BitClocks / 2 - 1);
 
   // Input: start, 8 bits, stop, each sampled in its middle
   logic rx;
@@ -35,7 +36,7 @@ module uart_line #(
       .input_i (rx_i),
       .output_o(rx)
   );
-  logic [15:0] in_wait_q;
+  logic [WaitBits-1:0] in_wait_q;
   logic [3:0] in_left_q;  // bits to come, 0: idle
   logic [7:0] in_q;
   logic looks;
@@ -58,9 +59,9 @@ module uart_line #(
   assign byte_o = in_q;
 
   // Output
-  logic [15:0] out_wait_q;
-  logic [ 3:0] out_left_q;
-  logic [ 8:0] out_q;
+  logic [WaitBits-1:0] out_wait_q;
+  logic [3:0] out_left_q;
+  logic [8:0] out_q;
   assign byte_ready_o = out_left_q == '0;
   assign tx_o         = out_q[0];
   always_ff @(posedge clk_i) begin

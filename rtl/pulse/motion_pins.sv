@@ -41,7 +41,7 @@ module motion_pins #(
     input  wire logic [FineBits-1:0] position_i,
 
     // Rates instead of samples, with Rates = 1
-    output logic      [                                   5:0] rates_read_o,
+    output logic      [                                   4:0] rates_read_o,
     input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
 
     // External inputs, and the same synchronised

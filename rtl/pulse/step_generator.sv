@@ -72,7 +72,7 @@ module step_generator #(
     input  wire logic [FineBits-1:0] position_i,
 
     // Rates: rtl/bus/paced_motion.sv
-    output logic      [                                   5:0] rates_read_o,
+    output logic      [                                   4:0] rates_read_o,
     input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
 
     // External inputs, and the same synchronised
@@ -122,7 +122,7 @@ module step_generator #(
   logic [Axes-1:0] load;
   logic none;
   always_ff @(posedge clk_i) late_o <= rst_ni && late && referenced_o != '0;
-  assign rates_read_o = {taken, read, read_axis};
+  assign rates_read_o = {taken, read_axis};
   if (Rates == 1) begin : g_rates
     logic counts;
     logic refused_now;
@@ -134,7 +134,7 @@ module step_generator #(
     assign moves = moves_now && counts;
     assign sample_ready_o = 1'b0;
     assign axis_o = '0;
-    assign unused = &{1'b0, scale_write_i, scale_axis_i, scale_i, sample_valid_i, sample_i,
+    assign unused = &{1'b0, read, scale_write_i, scale_axis_i, scale_i, sample_valid_i, sample_i,
                       begins_i, reference_i, by_axis_i, position_i};
   end else begin : g_samples
     logic [Axes-1:0] fresh_q;  // to be referenced by the next sample

@@ -43,7 +43,10 @@ module bench_registers (
       .note_word_i(registers_pkg::Switches),
       .note_data_i(32'd0),
       .kept_word_i(word_i),
-      .kept_o()
+      .kept_o(),
+      .read_i(1'b0),
+      .read_word_i(7'd0),
+      .setting_o()
   );
 
 endmodule

@@ -67,10 +67,6 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
         assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
     }
     assembly.label("first_values");
-    if (rate_bits != 0) {  // behind a tick nothing else reads the scales' memory
-        assembly.wait("values_now");
-        assembly.label("values_now");
-    }
     assembly.open_further();
     assembly.put_starts();
     assembly.call("put_powers");

@@ -17,6 +17,9 @@ namespace curvecore::assembler {
 constexpr int kPowerEntries = 240;
 constexpr int kWordsBehind = 4;
 
+/// Changes of ports.asm that programs made before do not know of. Twin: engine_pkg::PortNumbers.
+constexpr std::uint16_t kPortNumbers = 1;
+
 /// Returns what programs are made for. Twin: engine_pkg::made_for.
 inline int made_for(const ref::CoreParameters& core, int segment_words, int profile_words,
                     int rate_bits = 0) {
@@ -25,7 +28,7 @@ inline int made_for(const ref::CoreParameters& core, int segment_words, int prof
                                  CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
                                  CURVECORE_PUT(CORE_POSITION_BITS, core.position_bits) |
                                  CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits);
-    std::uint16_t digest = 0;
+    std::uint16_t digest = kPortNumbers;
     for (const std::uint32_t word :
          {widths, static_cast<std::uint32_t>((rate_bits << 8) + 2 * core.aux_axes + core.splines),
           static_cast<std::uint32_t>(segment_words), static_cast<std::uint32_t>(profile_words)}) {

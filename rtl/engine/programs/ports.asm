@@ -19,16 +19,16 @@ data memory = 3            # the limb at the address, which goes on by one each 
 # IN
 data word_in = 4           # the selected stream's word: bits 14:0, 29:15, 45:30, 47:46
 data check_in = 5          # the check after it, from the one that `check` was told
-data override_in = 8       # settings: rtl/motion_interpolator.sv
-data acceleration_in = 9
-data slope_in = 10
-data stop_ticks_in = 11
-data samples_per_tick_in = 12
-data digest_in = 13
-data scale_low = 14        # 32 bits of an axis' scale: rtl/engine/engine_rates.sv
-data scale_high = 15       # those above, which go on to the next axis
-data position_in = 16      # of the host, of the axis whose rate comes next
-data references = 17       # axes that the first sample references, that of axis 0 in bit 13
+data override_in = 9       # 8 to 23: the register of that number
+data samples_per_tick_in = 11
+data acceleration_in = 12
+data slope_in = 13         # 2^32 where the register has 0
+data stop_ticks_in = 14
+data digest_in = 19        # with that of the board
+data scale_low = 24        # SCALE_LO of an axis
+data scale_high = 25       # SCALE_HI, and goes on to the next axis
+data position_in = 26      # of the host, of the axis whose rate comes next
+data references = 27       # axes that the first sample references, that of axis 0 in bit 13
 
 # OUT
 data address = 4           # of the memory, 2 limbs

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
-// 2^7 more; a push is taken once, or is an error; a note waits for two clocks at most.
+// 2^7 more, or where programs read, in one more besides those clocks; a push is taken once, or is
+// an error, and not while programs read; a note waits for two clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
-// control: ANSWERS_TWICE s/works_q && !done_o/works_q/
+// control: ANSWERS_TWICE s/ && !done_o \&\& !read_i/ \&\& !read_i/
 // control: NO_RESET s/works_q <= 1'b0;//
 // control: TAKES_QUIETLY s/(write_q && !taken)/1'b0/
-// control: NOTES_WHEN_IDLE s/(!valid_i || done_o)/!valid_i/
-// control: PUSHES_LONG s/works_q \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
+// control: NOTES_WHEN_IDLE s/(!valid_i || done_o ||/(!valid_i ||/
+// control: NOTES_WAIT_FOR_PROGRAMS s/ || (read_i \&\& !works))/)/
+// control: PUSHES_LONG s/works \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
+// control: MEETS_PROGRAMS s/works_q \&\& !(read_i \&\& write_i)/works_q/
+// control: READS_WAIT_TWICE s/(read_i \&\& write_i)/read_i/
 `default_nettype none
 module register_file_formal (
     input wire logic       clk_i,
@@ -19,7 +23,8 @@ module register_file_formal (
     input wire logic       sample_ready_i,
     input wire logic       control_ready_i,
     input wire logic       reference_ready_i,
-    input wire logic       off_i
+    input wire logic       off_i,
+    input wire logic       read_i
 );
 
   // A shell: a request stays until it is done.
@@ -68,12 +73,17 @@ module register_file_formal (
       .note_ready_o(note_ready),
       .note_word_i(7'd0),
       .note_data_i(32'd0),
-      .kept_word_i(7'd0)
+      .kept_word_i(7'd0),
+      .read_i,
+      .read_word_i(7'd0)
   );
 
   logic started_q = 1'b0;
   logic [7:0] since_q;  // clocks since the reset, 2^7 at most
-  logic [1:0] waited_q;  // clocks of the request
+  logic [1:0] waited_q;  // clocks of the request in which programs do not read
+  logic [1:0] read_q;  // they read in the clock before, and in that before it
+  logic [1:0] since_asked_q;  // all of them, 2 at most
+  logic undisturbed_q;  // programs did not read since it was asked
   logic [1:0] notes_wait_q;  // clocks
   logic pushed_q;  // of the request at hand: a push was taken
   logic refused_q;
@@ -87,7 +97,11 @@ module register_file_formal (
     if (!rst_ni) since_q <= '0;
     else if (!since_q[7]) since_q <= since_q + 1'b1;
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
-    else waited_q <= waited_q + 1'b1;
+    else if (!read_i) waited_q <= waited_q + 1'b1;
+    read_q <= {read_q[0], read_i};
+    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read_i);
+    if (!rst_ni || !valid_q || done || !since_q[7]) since_asked_q <= '0;
+    else if (!since_asked_q[1]) since_asked_q <= since_asked_q + 1'b1;
     if (!rst_ni || note_ready || !since_q[7]) notes_wait_q <= '0;
     else notes_wait_q <= notes_wait_q + 1'b1;
     if (!rst_ni || done) begin
@@ -101,10 +115,13 @@ module register_file_formal (
 
   always_comb begin
     if (!started_q) assume (!rst_ni);
+    if (read_q == 2'b10) assume (!read_i);  // programs leave two clocks
     if (started_q && rst_ni) begin
-      In_time : assert (!(valid_q && !done && waited_q == 2'd2));
+      In_time : assert (!(valid_q && !done && waited_q == 2'd3));
+      At_once : assert (!(valid_q && !done && waited_q == 2'd2 && (undisturbed_q || !write_q)));
       Only_asked : assert (!done || valid_q);
-      Not_sooner : assert (!done || waited_q == 2'd2);
+      Not_sooner : assert (!done || since_asked_q == 2'd2);
+      Undisturbed : assert (!(push && read_i));
       Push_asked : assert (!push || (valid_q && write_q && !done));
       Pushed_once : assert (!(push && (pushed_q || refused_q)));
       Refused_is_error : assert (!(done && refused_q && !error));

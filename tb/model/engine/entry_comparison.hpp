@@ -52,7 +52,7 @@ class StreamPorts {
         ports.give = [this, digest](int port, int limb) {
             if (port == 4) return limb_of(words[stream()], limb);
             if (port == 5) return static_cast<std::int16_t>(after());
-            return static_cast<std::int16_t>(port == 13 ? digest : 0);
+            return static_cast<std::int16_t>(port == 19 ? digest : 0);
         };
         ports.take = [this](int port, int, std::int16_t value) {
             if (port == 5) ++taken[stream()];

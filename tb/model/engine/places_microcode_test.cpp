@@ -22,10 +22,10 @@ constexpr int kPutSample = 1;
 constexpr int kPutPosition = 2;
 
 // Ports, rtl/engine/programs/ports.asm
-constexpr int kScaleLow = 14;
-constexpr int kScaleHigh = 15;
-constexpr int kPositionIn = 16;
-constexpr int kReferences = 17;
+constexpr int kScaleLow = 24;
+constexpr int kScaleHigh = 25;
+constexpr int kPositionIn = 26;
+constexpr int kReferences = 27;
 constexpr int kPlacing = 17;
 constexpr int kRate = 19;
 constexpr int kUnmoved = 20;

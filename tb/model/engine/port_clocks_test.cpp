@@ -25,7 +25,7 @@ struct Answer {
     int clocks;
 };
 constexpr int kTake = 5, kCheck = 6, kSelect = 7, kTakeRequest = 8;                 // OUT
-constexpr int kWordIn = 4, kCheckIn = 5, kOverride = 8;                             // IN
+constexpr int kWordIn = 4, kCheckIn = 5, kOverride = 9;                             // IN
 constexpr int kSegmentWaits = 4, kPieceWaits = 5, kHolds = 6, kHeld = 8, kTag = 9;  // BR
 constexpr Answer kAnswers[] = {
     {kSelect, Op::kBr, kTag, 5},        {kSelect, Op::kIn, kWordIn, 3},

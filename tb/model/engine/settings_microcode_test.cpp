@@ -49,10 +49,10 @@ class SettingsComparison {
     SettingsComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
         : machine_(machine), bound_(worst_case(assembly, "look")) {
         machine_.ports().give = [this](int port, int limb) {
-            const std::int64_t value = port == 9    ? asked_.hold_acceleration
-                                       : port == 10 ? asked_.hold_slope
-                                       : port == 11 ? asked_.stop_ticks
-                                       : port == 12 ? asked_.samples_per_tick_log2
+            const std::int64_t value = port == 11   ? asked_.samples_per_tick_log2
+                                       : port == 12 ? asked_.hold_acceleration
+                                       : port == 13 ? asked_.hold_slope
+                                       : port == 14 ? asked_.stop_ticks
                                                     : 0;
             return static_cast<std::int16_t>(value >> (15 * limb) & 0x7fff);
         };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine's whole motion on the twin, at a board that takes a sample each period: the ports of
-// rtl/engine/engine_interpolator.sv with the requests of rtl/motion_system.sv.
+// rtl/engine/engine_motion.sv with the requests of rtl/motion_system.sv.
 #pragma once
 
 #include <algorithm>
@@ -108,13 +108,13 @@ class TimedMotion {
     }
 
     std::int16_t in(int port, int limb) {
-        const std::int64_t setting = port == 8    ? override_rate_
-                                     : port == 9  ? inputs_.hold_acceleration
-                                     : port == 10 ? inputs_.hold_slope
-                                     : port == 11 ? inputs_.stop_ticks
-                                     : port == 12 ? inputs_.samples_per_tick_log2
+        const std::int64_t setting = port == 9    ? override_rate_
+                                     : port == 11 ? inputs_.samples_per_tick_log2
+                                     : port == 12 ? inputs_.hold_acceleration
+                                     : port == 13 ? inputs_.hold_slope
+                                     : port == 14 ? inputs_.stop_ticks
                                                   : 0;
-        if (port >= 8 && port <= 12) {
+        if (port >= 8 && port <= 14) {
             return static_cast<std::int16_t>(setting >> (engine::kLimbBits * limb) & 0x7fff);
         }
         return ports_.in(port, limb);

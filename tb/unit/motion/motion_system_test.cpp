@@ -45,6 +45,37 @@ TEST_F(MotionSystem, DrawsAProgramThatIsWrittenToRegisters) {
     printf("%ld steps, %ld clocks\n", steps(), host_.now());
 }
 
+/// OVERRIDE is the rate at once while nothing is under way; then the rate goes after it.
+TEST_F(MotionSystem, DrawsAProgramAtTheRateOfOverride) {
+    constexpr uint32_t kWhole = 1 << 16;
+    constexpr std::size_t kLooks = 100;
+    host_.prepare(part_);
+    host_.write(CURVECORE_OVERRIDE, kWhole / 2);
+    std::vector<uint32_t> rates;
+    RegisterHost::Sent sent;
+    const auto idle = [] {};
+    while (!sent.all(part_) || host_.path() != part_.job.plan.path_length()) {
+        ASSERT_FALSE(HasFailure());
+        host_.feed(part_, sent, idle);
+        host_.samples(1);
+        if (!host_.is(CURVECORE_STATE_ACTIVE_MASK)) continue;
+        host_.path();  // keeps RATE
+        rates.push_back(host_.read(CURVECORE_RATE));
+        if (rates.size() == kLooks) host_.write(CURVECORE_OVERRIDE, kWhole);
+    }
+    host_.finish(part_);
+    expect_drawn();
+    EXPECT_FALSE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
+    ASSERT_GT(rates.size(), kLooks);
+    int between = 0;
+    for (std::size_t n = 0; n < rates.size(); ++n) {
+        if (n < kLooks) EXPECT_EQ(rates[n], kWhole / 2) << n;
+        between += rates[n] > kWhole / 2 && rates[n] < kWhole ? 1 : 0;
+    }
+    EXPECT_GT(between, 0);
+    EXPECT_EQ(rates.back(), kWhole);
+}
+
 TEST_F(MotionSystem, DrawsAProgramThatStreamsBring) {
     host_->segment_valid_i = 1;
     host_->segment_data_i = part_.segments[0];

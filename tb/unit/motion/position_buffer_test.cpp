@@ -13,7 +13,8 @@ namespace curvecore::tb {
 namespace {
 using namespace sysc;
 
-// As rtl/pulse/place_scaler.sv: an axis' position is wanted from two clocks behind its number on.
+// As rtl/pulse/place_scaler.sv: an axis' position is wanted from two clocks behind its number on;
+// by the engine, from one on, but not behind a write.
 TEST(PositionBuffer, ShowsThePositionsOfItsSamples) {
     ClockedDut<Vposition_buffer> dut;
     dut.limit_cycles(UINT64_MAX);
@@ -35,11 +36,14 @@ TEST(PositionBuffer, ShowsThePositionsOfItsSamples) {
         dut->data_i = random();
         dut->axis_i = axis;
         dut.settle();
+        const bool defined = CFG_Holds == 1 || since > 0;
         if (dut->write_i && dut->ready_o) positions.push_back(dut->data_i);
         since = dut->write_i ? 0 : since + 1;
         offered = dut->valid_o ? offered + 1 : 0;
         if (offered == 1 && dut->write_i) ++met;
-        if (offered > 2) ASSERT_EQ(dut->position_o, positions[axis]) << axis << ", clock " << n;
+        if (defined && offered > 1 + CFG_Holds) {
+            ASSERT_EQ(dut->position_o, positions[axis]) << axis << ", clock " << n;
+        }
         const bool next = offered > 4 && random() % 8 == 0;
         dut->ready_i = next && axis == CFG_Axes - 1;
         if (dut->ready_i) {
