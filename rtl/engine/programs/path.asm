@@ -54,17 +54,17 @@ tick:
   go to branch_passes
 waiting:
   time = end
-  go to count_idle
+  go to no_idle_tick
 ended:
   active = 0, 1 limb
-  go to count_idle
+  go to idles
 resting:
   test target + 0, 2 limbs
-  if zero go to count_idle
+  if zero go to idles
   test may_begin + 0, 1 limb
-  if zero go to count_idle
+  if zero go to idles
   test next + 0, 1 limb
-  if zero go to count_idle
+  if zero go to idles
   start = rate
   go to branch_passes
 piece_begins:
@@ -105,9 +105,7 @@ reached:
   increment = increment + path
   increment = increment - walked
   walked = path + 0
-count_idle:
-  test active + 0, 1 limb
-  if zero go to idles
+no_idle_tick:
   idle = 0, 1 limb
   return
 idles:

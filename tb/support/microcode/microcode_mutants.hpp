@@ -105,7 +105,8 @@ struct MutantShare {
     /// Checks the share that is seen of those that change something: `least`, where all ran, a
     /// little less of a part of them.
     void expect(double least) const {
-        std::printf("%d changes, %d seen, %d change nothing\n", mutants, seen, change_nothing);
+        std::printf("%d changes, %d seen, %d change nothing\n%s", mutants, seen, change_nothing,
+                    cases(0, 1) != 0 ? unseen.c_str() : "");
         EXPECT_LE(change_nothing, 0.04 * mutants);
         const double part = least - 0.01 * cases(2, 0);
         EXPECT_GE(seen, part * (mutants - change_nothing)) << unseen;
