@@ -127,6 +127,9 @@ class SourceReader {
             }
         } else if (take("data")) {
             const std::string name = next("a name");
+            if (words_.count(name) != 0) {
+                a_.refuse(name + " is a word already");
+            }
             expect({"="});
             a_.define(name, value("a number"));
         } else if (take("loop")) {
@@ -262,6 +265,9 @@ class SourceReader {
     void declare(const std::string& name, const std::string& kind) {
         if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
             a_.refuse("'" + name + "' is no name");
+        }
+        if (a_.defined(name)) {
+            a_.refuse(name + " is a number already");
         }
         Field field = kind == "wide"    ? a_.wide(name)
                       : kind == "axis"  ? a_.axis_word(name)

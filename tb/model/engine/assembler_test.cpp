@@ -256,6 +256,21 @@ TEST(Assembler, ANumberHasOneName) {
     }
 }
 
+TEST(Assembler, ANameIsAWordOrANumber) {
+    const auto refusal = [](const std::string& text) -> std::string {
+        Assembly assembly;
+        try {
+            assemble_text("p.asm", text, assembly);
+        } catch (const AssemblyError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal("word a b\ndata b = 3\n"), "p.asm:2: error: b is a word already");
+    EXPECT_EQ(refusal("data b = 3\nlocal a b\n"), "p.asm:2: error: b is a number already");
+    EXPECT_EQ(refusal("word a\ndata b = 3\n"), "");
+}
+
 TEST(Assembler, ALinkGoesToThePlaceOfALabel) {
     Assembly assembly;
     assembly.from({"begin", 0, ""});
