@@ -345,34 +345,30 @@ illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
 illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
-set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 SamplesAhead=15 TimeBits=10
-                  ClockHertz=2560000 SampleBufferWords=512)
-set(parallel ${system} Build=0 PeriodLog2=8 ScaleBits=48 Galvo=1 Encoders=2)
+function(system_test test configuration)
+  core_test(${test} ${configuration} TOP motion_system ${ARGN} LIBRARIES curvecore_board
+            curvecore_assembler)
+  target_compile_definitions(
+    ${test}_${configuration} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
+                                     RTL_DIR="${PROJECT_SOURCE_DIR}/rtl"
+                                     CURVES_DIR="${PROJECT_SOURCE_DIR}/ref/curves")
+endfunction()
+set(system PARAMS TimeBits=10 ClockHertz=2560000 SamplesAhead=15 SampleBufferWords=512)
+set(queues SegmentQueueWords=4096 ProfileQueueWords=512)
+set(parallel ${system} ${queues} Build=0 PeriodLog2=8 ScaleBits=48 Galvo=1 Encoders=2)
+set(engine ${system} Build=2 PeriodLog2=12 ScaleBits=44 Galvo=0)
 foreach(test motion_system motion_begin motion_probe motion_encoder position_mode)
-  core_test(${test} parallel TOP motion_system LIBRARIES curvecore_board ${parallel})
+  system_test(${test} parallel ${parallel})
+  system_test(${test} engine ${engine} ${queues} Encoders=2)
 endforeach()
-# The engine makes a sample in 8192 clocks.
-set(engine ${system} Build=2 PeriodLog2=13 ScaleBits=44 Galvo=0)
-set(tests *.SaysHow*:*.AxesWait*:*.WhereThere*:*.Programs*:*.Stops*:*.AStepToo*)
-core_test(position_mode engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
-          ${engine})
-set(tests *.SaysWhat*:*.DrawsAProgram*:*.Random*)
-core_test(motion_system engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
-          ${engine})
-core_test(system_microcode engine TOP motion_system LIBRARIES curvecore_board curvecore_assembler
-          PARAMS SegmentQueueWords=1024 ProfileQueueWords=256 SamplesAhead=15 TimeBits=10
-                 ClockHertz=2560000 SampleBufferWords=512 Build=2 PeriodLog2=12 ScaleBits=44
-                 Galvo=0
-          SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+foreach(test system_microcode system_time)
+  system_test(${test} engine ${engine} SegmentQueueWords=1024 ProfileQueueWords=1024
+              SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+endforeach()
 # The same beside its flat file, clock by clock.
-verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${engine})
-core_test(motion_system flat TOP motion_system TESTS ${tests}
-          LIBRARIES curvecore_board flat_motion_system ${engine})
+verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${engine}
+                ${queues} Encoders=2)
+system_test(motion_system flat TESTS *.SaysWhat*:*.DrawsAProgram*:*.Random* ${engine} ${queues}
+            Encoders=2)
+target_link_libraries(motion_system_flat PRIVATE flat_motion_system)
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
-foreach(test motion_system_parallel motion_system_engine motion_system_flat position_mode_engine
-             system_microcode_engine
-             position_mode_parallel
-             motion_begin_parallel motion_probe_parallel motion_encoder_parallel)
-  target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
-endforeach()
-target_compile_definitions(system_microcode_engine PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/position_buffer.sv: a sample is taken whole or refused whole, and refused only when the
 // buffer is full; room and waiting samples are reported; whole samples are offered, an offer stays,
-// and none begins when it ends. Values of positions: tb/unit/motion/position_mode_test.cpp.
+// and none begins when it ends. Values of positions: tb/unit/system/position_mode_test.cpp.
 // control: LOSES s/write_i \&\& ready_o;/write_i \&\& ready_o \&\& data_i[5:0] != 6'd5;/
 // control: OVERFLOWS s/first ? room_q != '0 : !refused_q/1'b1/
 // control: MISTAKES_AXES s/ : !refused_q;/ : room_q != '0;/

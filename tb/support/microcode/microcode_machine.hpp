@@ -15,6 +15,7 @@
 #include "hls/engine.hpp"
 #include "hls/words.hpp"
 #include "rtl/engine/assembler/assembly.hpp"
+#include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb {
 
@@ -137,7 +138,7 @@ class MicrocodeMachine {
         const int x = engine_.page(false, false);
         while (engine_.place(false) >= dispatched_) {
             engine_.step(board_);
-            if (engine_.clock() - begin > kMostClocks) throw std::runtime_error("no end");
+            if (engine_.clock() - begin > most_clocks_) throw std::runtime_error("no end");
         }
         if (engine_.place(false) != back && engine_.place(false) != idle_) {
             throw std::runtime_error("it ends elsewhere");
@@ -207,7 +208,8 @@ class MicrocodeMachine {
     MicrocodePorts& ports() { return board_.ports; }
 
   private:
-    static constexpr std::uint64_t kMostClocks = 200000;
+    /// One sample of many may go through hundreds of segments.
+    std::uint64_t most_clocks_ = static_cast<std::uint64_t>(cases(200'000, 50'000'000));
     static constexpr std::int16_t kAnything = 0x2aaa;
 
     struct Board : engine::QuietBoard {
