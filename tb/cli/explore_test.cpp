@@ -91,7 +91,7 @@ TEST_F(Explore, FindsWhatRunsOfARandomProgramSee) {
 }
 
 TEST_F(Explore, AnswersAreTheShortestThatFit) {
-    const Json found = explore(DATA_DIR "/arcs.ngc", {"--word", "2us,500us"});
+    const Json found = explore(DATA_DIR "/tilted.ngc", {"--word", "2us,500us"});
     int shorter = 0;
     for (const Json& row : found["rows"]) {
         if (row["answer"].is_null()) continue;

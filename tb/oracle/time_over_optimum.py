@@ -27,7 +27,7 @@ from time_oracle import Limits, oracle
 ROOT = Path(__file__).resolve().parents[2]
 FEEDS = (500.0, 100.0)  # mm/s
 GRID = 1200
-CHECKED = ("line100", "circle25", "circle2", "wave")
+CHECKED = ("circle25", "wave")
 SLOWER = 1.015  # than the oracle under the same shares
 
 FULL = (500.0, 5000.0, 1e5)  # of an axis

@@ -53,8 +53,7 @@ class MotionSystem : public testing::Test {
     void begin(int64_t tenths) {
         host_.prepare(part_);
         RegisterHost::Sent sent;
-        const int64_t end = host_.now() + tenths * kTenth;
-        while (host_.now() < end && !HasFailure()) host_.feed(part_, sent, [] {});
+        host_.draw_for(tenths, part_, sent);
         ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
     }
 

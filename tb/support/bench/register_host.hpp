@@ -177,6 +177,16 @@ class RegisterHost {
         clocks(200);
         EXPECT_EQ(state() & kMotionFaults, 0U);
     }
+    /// Writes words until the program has been under way for so many tenths of a millisecond, or
+    /// the machine is off.
+    void draw_for(int64_t tenths, const Part& part, Sent& sent) {
+        int64_t begun = -1;
+        while (is(CURVECORE_STATE_ENABLED_MASK) && !testing::Test::HasFailure() &&
+               (begun < 0 || now() < begun + tenths * kTenth)) {
+            feed(part, sent, [] {});
+            if (begun < 0 && is(CURVECORE_STATE_ACTIVE_MASK)) begun = now();
+        }
+    }
     /// Writes all words, until the machine stands at the end.
     void draw(
         const Part& part, const std::function<void()>& between = [] {}) {

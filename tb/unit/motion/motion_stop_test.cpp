@@ -55,7 +55,7 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
     rates_ = Rates::kOfKernel;
     branch_percent_ = 60;
     int64_t stops = 0;
-    const int rounds = cases(10, 30);
+    const int rounds = cases(core_.build == Build::kEngine ? 5 : 10, 30);
     for (int round = 0; round < rounds; ++round) {
         program(pieces(static_cast<uint32_t>(500 + round), 60, 10, 60, 3 << 16));
         fill();

@@ -8,6 +8,7 @@
 #include "ref/feed/planner.hpp"
 #include "sysc/core/core_clocks.hpp"
 #include "tb/support/bench/motion_bench.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/tiny_moves.hpp"
 
 namespace curvecore::tb {
@@ -76,7 +77,7 @@ TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
     const double clocks = least_period_clocks(core_, core_.splines != 0);
     const int least = std::max(8, static_cast<int>(std::ceil(clocks)));
     for (const int period : {least, std::max(60, 2 * least)}) {
-        for (unsigned seed = 1; seed <= 2; ++seed) {
+        for (unsigned seed = 1; seed <= static_cast<unsigned>(cases(1, 4)); ++seed) {
             EXPECT_EQ(planned(tiny_program(seed), period), 0);
             EXPECT_EQ(late_samples(period), 0) << period << " clocks, seed " << seed;
             EXPECT_FALSE(dut_->underrun_o);

@@ -9,13 +9,13 @@
 namespace curvecore::tb {
 namespace {
 
-int stalls() {
-    const char* count = std::getenv("CURVECORE_STALLS");
-    return count ? std::atoi(count) : cases(60, 10'000);
-}
-
 class MotionWords : public MotionInterpolator {
   protected:
+    int stalls() const {
+        const char* count = std::getenv("CURVECORE_STALLS");
+        const bool engine = core_.build == Build::kEngine;
+        return count ? std::atoi(count) : cases(engine ? 20 : 60, engine ? 1000 : 10'000);
+    }
     /// A host that sometimes stops feeding a stream, for any time.
     class Host {
       public:

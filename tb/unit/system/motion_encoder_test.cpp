@@ -86,8 +86,7 @@ class MotionEncoder : public testing::Test {
         host_.write(CURVECORE_STATE, kFaults);
         host_.prepare(part_);
         sent_ = {};
-        const int64_t end = host_.now() + tenths * kTenth;
-        while (host_.now() < end && !HasFailure()) host_.feed(part_, sent_, [] {});
+        host_.draw_for(tenths, part_, sent_);
     }
     uint32_t fault_axis() { return CURVECORE_FIELD(host_.state(), STATE_FAULT_AXIS); }
     uint32_t homed() {

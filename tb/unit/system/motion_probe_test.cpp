@@ -30,8 +30,7 @@ class MotionProbe : public testing::Test {
     void begin(int64_t tenths) {
         prepare();
         sent_ = {};
-        const int64_t end = host_.now() + tenths * kTenth;
-        while (host_.now() < end && !HasFailure()) host_.feed(part_, sent_, [] {});
+        host_.draw_for(tenths, part_, sent_);
         ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
     }
     void set_pin(uint32_t which, bool level) {

@@ -91,8 +91,9 @@ TEST_F(MotionSystem, DrawsAProgramThatStreamsBring) {
 TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
     host_.prepare(part_);
     int stalls = 0;
+    const std::size_t words = part_.segments.size() + part_.pieces.size();
     host_.draw(part_, [&] {
-        if (random_() % 400 != 0) return;
+        if (random_() % words >= 8) return;
         ++stalls;
         host_.tenths(random_() % 8000);
     });
@@ -106,8 +107,9 @@ TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
     host_.write(CURVECORE_WATCHDOG, kSilence);
     int silences = 0;
     std::size_t words = 0;
+    const std::size_t all = part_.segments.size() + part_.pieces.size();
     host_.draw(part_, [&] {
-        if (++words % 1000 != 0) return;
+        if (++words % (all / 4) != 0) return;
         host_.samples(kSilence - 1);
         EXPECT_FALSE(host_.is(CURVECORE_STATE_WATCHDOG_MASK));
         if (!host_.is(CURVECORE_STATE_ACTIVE_MASK)) return;

@@ -92,12 +92,12 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
         kernel.reference(a);
     }
     std::deque<Sample> samples;  // samples that the kernel has not taken yet
-    bool begun = false;
+    int64_t begins = std::numeric_limits<int64_t>::max();  // clock from which on they are taken
     int64_t differ = 0;
     host_.each_clock = [&] {
         kernel.clock();
         // Once in each period, far from its tick.
-        if (begun && host_.now() % kSystemPeriod == kSystemPeriod - 8) {
+        if (host_.now() >= begins && host_.now() % kSystemPeriod == kSystemPeriod - 8) {
             ASSERT_FALSE(samples.empty());
             int64_t fine[kSystemAxes];
             for (int a = 0; a < kSystemAxes; ++a) {
@@ -115,13 +115,14 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
     begin();
     Sample place{0, 5 * kUnitsPerStep, -7 * kUnitsPerStep};
     Sample speed{};
-    // The first sample is taken in the period in which it comes.
+    // The first sample is taken in the period in which it comes, or, behind the engine's programs,
+    // in the next one.
     while (host_.now() % kSystemPeriod != 0) host_.clock();
     for (int n = 0; n < 4000 && !HasFailure(); ++n) {
         while (room() == 0) host_.clocks(50);
         samples.push_back(place);
         ASSERT_TRUE(push(place));
-        begun = true;
+        if (n == 0) begins = host_.now() + (CFG_Build == 2 ? kSystemPeriod : 0);
         if (samples.size() > 20) host_.clocks(random_() % 800);
         for (int a = 0; a < kSystemAxes; ++a) {
             speed[a] += static_cast<int32_t>(random_() % 1001) - 500;
