@@ -8,6 +8,7 @@
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
 #
 #   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
+#   overrides  every program at overrides of 1..200 %, on every board
 #   models     tests of models with all their random cases, 10^4 cubics at slow clocks
 #   equality   N samples of the RTL against the kernel, in every configuration
 #   microcode  N words of the engine's twin, and 10^5 samples of its RTL, in every configuration
@@ -29,7 +30,7 @@ list=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      sed -n '3,23s/^# \{0,1\}//p' "$0"
+      sed -n '3,24s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     --list) list=true ;;
@@ -94,8 +95,14 @@ none_failed() { sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none fail
 tests() {
   build all label_long
   CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
-  CURVECORE_LONG=1 ctest --preset release -L "^(unit|long)$" | tee $out/tests.run
+  CURVECORE_LONG=1 ctest --preset release -L "^(unit|long)$" -E LongOverride | tee $out/tests.run
   none_failed $out/tests.run | result
+}
+
+overrides() {
+  build curvecore cli_tests
+  ctest --preset release -R LongOverride | tee $out/overrides.run
+  none_failed $out/overrides.run | result
 }
 
 models() {
