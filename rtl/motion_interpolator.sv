@@ -131,6 +131,7 @@ module motion_interpolator #(
     logic [ 1:0] unused_limb;
     logic [15:0] data;
     logic unused_scale_last, unused_setting_read;
+    logic [15:0] unused_segment_room, unused_profile_room;
     logic [ 6:0] setting_word;
     logic [16:0] override_q;
     logic [32:0] setting_q;
@@ -173,6 +174,8 @@ module motion_interpolator #(
         .profile_data_i,
         .segment_leaves_o,
         .profile_leaves_o,
+        .segment_room_o(unused_segment_room),
+        .profile_room_o(unused_profile_room),
         .sample_request_valid_i,
         .sample_request_ready_o,
         .hold_i,

@@ -43,6 +43,7 @@ endforeach()
 illegal_parameter_test(motion_engine Instructions=32769 "Instructions must be in .2, 32768.")
 illegal_parameter_test(motion_engine WordBits=7 "WordBits must be in .8, 12.")
 illegal_parameter_test(motion_engine Form=3 "Form must be 0, 1 or 2")
+illegal_parameter_test(motion_engine Foreground=2 "Foreground must be 0 or 1")
 
 # The engine's words on their way.
 foreach(words 2 128)
@@ -77,6 +78,7 @@ foreach(size ${sizes})
             PARAMS Axes=3 Bits=32 Words=64 Form=${form} Holds=${holds}
             SOURCES ${primitives_${form}})
 endforeach()
+illegal_parameter_test(position_buffer Holds=2 "Holds must be 0 or 1")
 
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)

@@ -112,26 +112,7 @@ module paced_motion #(
   assign segment_valid   = segment_valid_i && segment_room_o != '0;
   assign profile_valid   = profile_valid_i && profile_room_o != '0;
   logic segment_leaves;
-  queue_room #(
-      .Words((Build == 2) ? engine_pkg::EntryWords : SegmentQueueWords)
-  ) u_segment_room (
-      .clk_i,
-      .rst_ni (rst_n),
-      .put_i  (segment_valid_i && segment_ready_o),
-      .leave_i(segment_leaves),
-      .room_o (segment_room_o)
-  );
   logic profile_leaves;
-  queue_room #(
-      .Words((Build == 2) ? engine_pkg::EntryWords : ProfileQueueWords)
-  ) u_profile_room (
-      .clk_i,
-      .rst_ni (rst_n),
-      .put_i  (profile_valid_i && profile_ready_o),
-      .leave_i(profile_leaves),
-      .room_o (profile_room_o)
-  );
-
   logic unused_path_valid;
   logic [47:0] unused_path_ds;
   logic unused_path_active;
@@ -190,6 +171,8 @@ module paced_motion #(
         .profile_data_i(word_i),
         .segment_leaves_o(segment_leaves),
         .profile_leaves_o(profile_leaves),
+        .segment_room_o,
+        .profile_room_o,
         .sample_request_valid_i(1'b1),
         .sample_request_ready_o(unused_request_ready),
         .hold_i,
@@ -241,8 +224,9 @@ module paced_motion #(
     );
     assign sample_o = '0;
     logic unused;
-    assign unused = &{1'b0, sample_ready_i, limb, override_i, samples_per_tick_log2_i,
-                      hold_acceleration_i, hold_slope_i, stop_ticks_i};
+    assign unused = &{1'b0, sample_ready_i, limb, segment_leaves, profile_leaves,
+                      override_i, samples_per_tick_log2_i, hold_acceleration_i, hold_slope_i,
+                      stop_ticks_i};
   end else begin : g_samples
     // Requests
     logic [3:0] ahead_q;  // samples requested and not taken
@@ -305,6 +289,24 @@ module paced_motion #(
         .standing_o,
         .fault_o,
         .empty_segments_o(unused_empty_segments)
+    );
+    queue_room #(
+        .Words(SegmentQueueWords)
+    ) u_segment_room (
+        .clk_i,
+        .rst_ni (rst_n),
+        .put_i  (segment_valid_i && segment_ready_o),
+        .leave_i(segment_leaves),
+        .room_o (segment_room_o)
+    );
+    queue_room #(
+        .Words(ProfileQueueWords)
+    ) u_profile_room (
+        .clk_i,
+        .rst_ni (rst_n),
+        .put_i  (profile_valid_i && profile_ready_o),
+        .leave_i(profile_leaves),
+        .room_o (profile_room_o)
     );
     assign axis_o = '0;
     assign rates_o = '0;

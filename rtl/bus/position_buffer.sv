@@ -44,6 +44,7 @@ module position_buffer #(
 );
 
   initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
+  initial if (Holds < 0 || Holds > 1) $fatal(1, "Holds must be 0 or 1");
   initial
     if (Words < 32 || Words > 4096 || 2 ** $clog2(Words) != Words)
       $fatal(1, "Words must be a power of two in [32, 4096]");

@@ -20,9 +20,11 @@ module engine_entry #(
     // Streams
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
+    output logic      [15:0] segment_room_o,   // words that still fit
     input  wire logic [47:0] segment_i,
     input  wire logic        profile_valid_i,
     output logic             profile_ready_o,
+    output logic      [15:0] profile_room_o,
     input  wire logic [47:0] profile_i,
 
     // Engine
@@ -40,12 +42,16 @@ module engine_entry #(
 
   // Places, and one bit more: full and empty differ in it.
   logic [PlaceBits:0] segment_put_q, segment_take_q, profile_put_q, profile_take_q;
+  logic [PlaceBits:0] segment_room, profile_room;
   logic segment_put, profile_put;
   assign segment_waits_o = segment_put_q != segment_take_q;
   assign profile_waits_o = profile_put_q != profile_take_q;
-  assign segment_ready_o = (segment_put_q ^ segment_take_q) != (PlaceBits + 1)'(Words);
-  assign profile_ready_o = (profile_put_q ^ profile_take_q) != (PlaceBits + 1)'(Words) &&
-      !segment_put;
+  assign segment_room = (segment_take_q ^ (PlaceBits + 1)'(Words)) - segment_put_q;
+  assign profile_room = (profile_take_q ^ (PlaceBits + 1)'(Words)) - profile_put_q;
+  assign segment_room_o = 16'(segment_room);
+  assign profile_room_o = 16'(profile_room);
+  assign segment_ready_o = segment_room != '0;
+  assign profile_ready_o = profile_room != '0 && !segment_put;
   assign segment_put = segment_valid_i && segment_ready_o;
   assign profile_put = profile_valid_i && profile_ready_o;
   always_ff @(posedge clk_i) begin

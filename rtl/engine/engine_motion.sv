@@ -54,6 +54,8 @@ module engine_motion #(
     input  wire logic [47:0] profile_data_i,
     output logic             segment_leaves_o,
     output logic             profile_leaves_o,
+    output logic      [15:0] segment_room_o,    // rtl/engine/engine_entry.sv
+    output logic      [15:0] profile_room_o,
 
     input  wire logic sample_request_valid_i,
     output logic      sample_request_ready_o,
@@ -141,6 +143,7 @@ module engine_motion #(
       .Instructions(Instructions),
       .WordBits    (WordBits),
       .Form        (MultiplierForm),
+      .Foreground  (0),
       .Program     (Program),
       .Data        (Data)
   ) u_engine (
@@ -198,9 +201,11 @@ module engine_motion #(
       .rst_ni,
       .segment_valid_i,
       .segment_ready_o,
+      .segment_room_o,
       .segment_i      (segment_data_i),
       .profile_valid_i,
       .profile_ready_o,
+      .profile_room_o,
       .profile_i      (profile_data_i),
       .of_profile_i   (profile),
       .word_o         (word),

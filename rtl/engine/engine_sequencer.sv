@@ -10,7 +10,9 @@
 //
 // due_i is seen in an instruction that begins 3 clocks later or more.
 `default_nettype none
-module engine_sequencer (
+module engine_sequencer #(
+    parameter int Foreground = 1  // 0: there is none, due_i is 0
+) (
     input wire logic clk_i,
     input wire logic rst_ni,
 
@@ -38,7 +40,7 @@ module engine_sequencer (
     if (run_o && last_i) left = branch_i ? 4'b0010 : out_i ? 4'b0001 : 4'b1000;
   end
 
-  assign next_thread_o = busy_o && !ends_i;
+  assign next_thread_o = Foreground != 0 && busy_o && !ends_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       left_q         <= 4'b1000;
@@ -52,11 +54,11 @@ module engine_sequencer (
       ahead_thread_o <= next_thread_o;
       if (fetch_o) begin
         run_o    <= 1'b1;
-        thread_o <= ahead_thread_o;
+        thread_o <= Foreground != 0 && ahead_thread_o;
       end else if (last_i) begin
         run_o <= 1'b0;
       end
-      busy_o <= due_i || next_thread_o;
+      busy_o <= Foreground != 0 && (due_i || next_thread_o);
       if (due_i && next_thread_o) late_o <= 1'b1;
     end
   end

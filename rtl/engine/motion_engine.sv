@@ -17,6 +17,7 @@ module motion_engine #(
     parameter int Instructions = 2048,  // [2, 32768]
     parameter int WordBits     = 8,     // [8, 12]: 2^WordBits words of data
     parameter int Form         = 0,     // multiplier: 0 portable, 1 ECP5, 2 UP5K
+    parameter int Foreground   = 1,     // 0: there is none, due_i is 0
     parameter     Program      = "",    // files of hexadecimal words
     parameter     Data         = ""
 ) (
@@ -40,6 +41,7 @@ module motion_engine #(
     output logic      [15:0] out_data_o
 );
 
+  initial if (Foreground < 0 || Foreground > 1) $fatal(1, "Foreground must be 0 or 1");
   localparam int PlaceBits = $clog2(Instructions);
   localparam int LimbPlaceBits = WordBits + 2;
 
@@ -51,7 +53,9 @@ module motion_engine #(
   logic [1:0] most_j;
   logic [2:0] last_limb;
   logic stall;
-  engine_sequencer u_sequencer (
+  engine_sequencer #(
+      .Foreground(Foreground)
+  ) u_sequencer (
       .clk_i,
       .rst_ni,
       .due_i,

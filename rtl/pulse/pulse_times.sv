@@ -20,7 +20,8 @@ module pulse_times #(
     output logic                setup_1_o
 );
 
-  // The lowest bits, which make 1 of 0
+  // Times of 0 or 1, and the lowest bits, which make 1 of 0
+  logic length_1, setup_1, space_1, hold_1;
   logic length_q;
   logic setup_q;
   logic space_q;
@@ -31,15 +32,19 @@ module pulse_times #(
   assign setup_o  = {dirsetup_i[TimeBits-1:1], setup_q};
   assign space    = {stepspace_i[TimeBits-1:1], space_q};
   assign hold     = {dirhold_i[TimeBits-1:1], hold_q};
+  assign length_1 = steplen_i[TimeBits-1:1] == '0;
+  assign setup_1  = dirsetup_i[TimeBits-1:1] == '0;
+  assign space_1  = stepspace_i[TimeBits-1:1] == '0;
+  assign hold_1   = dirhold_i[TimeBits-1:1] == '0;
   always_ff @(posedge clk_i) begin
-    length_q   <= steplen_i[0] || steplen_i == '0;
-    setup_q    <= dirsetup_i[0] || dirsetup_i == '0;
-    space_q    <= stepspace_i[0] || stepspace_i == '0;
-    hold_q     <= dirhold_i[0] || dirhold_i == '0;
+    length_q   <= steplen_i[0] || length_1;
+    setup_q    <= dirsetup_i[0] || setup_1;
+    space_q    <= stepspace_i[0] || space_1;
+    hold_q     <= dirhold_i[0] || hold_1;
     again_o    <= length_o + space;
     turn_o     <= length_o + hold;
-    length_1_o <= steplen_i <= TimeBits'(1);
-    setup_1_o  <= dirsetup_i <= TimeBits'(1);
+    length_1_o <= length_1;
+    setup_1_o  <= setup_1;
   end
 
 endmodule

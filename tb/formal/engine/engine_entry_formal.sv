@@ -2,9 +2,10 @@
 // rtl/engine/engine_entry.sv: of each stream words come out as they went in, none lost, doubled or
 // overtaken, whatever the other stream does; each holds what it is asked to. Words are numbered,
 // modulo more than a ring holds, and have the bit of their stream.
-// control: OVERFLOWS s/(PlaceBits + 1)'(Words);/(PlaceBits + 1)'(Words - 1);/
+// control: OVERFLOWS s/segment_ready_o = segment_room != '0/segment_ready_o = 1'b1/
 // control: ONE_RING s/profile_put, profile_put ? profile_put_q/1'b0, profile_put ? profile_put_q/
-// control: BOTH_AT_ONCE s/Words) \&\&/Words) ||/
+// control: BOTH_AT_ONCE s/ \&\& !segment_put;/ || !segment_put;/
+// control: ROOM_OF_OTHER s/profile_room = (profile_take_q/profile_room = (segment_take_q/
 // control: OTHER_TAKEN s/take_i \&\& of_profile_i) profile/take_i) profile/
 // control: LOSES_WORD s/if (segment_put) segment_put_q/if (segment_put \&\& !take_i) segment_put_q/
 // control: NEVER_WAITS s/profile_waits_o = .*/profile_waits_o = 1'b0;/
@@ -25,6 +26,7 @@ module engine_entry_formal (
   logic [Bits-1:0] sent_q [2];
   logic [Bits-1:0] taken_q[2];
   logic segment_ready, profile_ready, segment_waits, profile_waits;
+  logic [15:0] segment_room, profile_room;
   logic [47:0] word;
   engine_entry #(
       .Words(Words)
@@ -33,9 +35,11 @@ module engine_entry_formal (
       .rst_ni,
       .segment_valid_i,
       .segment_ready_o(segment_ready),
+      .segment_room_o (segment_room),
       .segment_i      ({44'd0, 1'b0, sent_q[0]}),
       .profile_valid_i,
       .profile_ready_o(profile_ready),
+      .profile_room_o (profile_room),
       .profile_i      ({44'd0, 1'b1, sent_q[1]}),
       .of_profile_i,
       .word_o         (word),
@@ -74,6 +78,8 @@ module engine_entry_formal (
       if (held[of_profile_i] == '0) assume (!take_i);
 
       HoldsWhatFits : assert (held[0] <= Bits'(Words) && held[1] <= Bits'(Words));
+      SegmentRoom : assert (segment_room == 16'(Words) - 16'(held[0]));
+      ProfileRoom : assert (profile_room == 16'(Words) - 16'(held[1]));
       SegmentsEnter : assert (segment_ready == (held[0] != Bits'(Words)));
       ProfileEnters :
       assert (profile_ready == (held[1] != Bits'(Words) && !(segment_valid_i && segment_ready)));

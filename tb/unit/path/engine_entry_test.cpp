@@ -36,6 +36,8 @@ class EngineEntry : public testing::Test {
         dut_.settle();
         const bool room = expected_[0].size() < CFG_Words;
         ASSERT_EQ(dut_->segment_ready_o, room);
+        ASSERT_EQ(dut_->segment_room_o, CFG_Words - expected_[0].size());
+        ASSERT_EQ(dut_->profile_room_o, CFG_Words - expected_[1].size());
         ASSERT_EQ(dut_->profile_ready_o, expected_[1].size() < CFG_Words && !(segment && room));
         ASSERT_EQ(dut_->segment_waits_o, !expected_[0].empty());
         ASSERT_EQ(dut_->profile_waits_o, !expected_[1].empty());
