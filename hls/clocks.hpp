@@ -109,9 +109,12 @@ constexpr int sampler_clocks(const TimedCore& core) {
     return horner_clocks(core, core.order) + horner_clocks(core, 3) + (core.arcs ? 1 : 0);
 }
 
-/// Clocks of the parallel build from a request to its sample; up to sample_interval - 1 more.
+/// Clocks of the parallel build from a request to its sample; up to sample_interval - 1 more. Where
+/// there are the clocks for it, one lander does all axes (rtl/sampler/sample_landing.sv).
 constexpr int sample_latency(const TimedCore& core) {
-    return 12 + 3 * core.sample_interval + sampler_clocks(core);
+    const int axes = 3 + core.aux_axes;
+    return 12 + 3 * core.sample_interval + sampler_clocks(core) +
+           (axes <= core.sample_interval ? axes : 0);
 }
 
 /// Rotation of the serial build, in which everything runs (rtl/serial/serial_sequencer.sv). A

@@ -152,9 +152,11 @@ sampler/polynomial_axis.sv
 sampler/polynomial_products.sv
 sampler/polynomial_sampler.sv
 sampler/sample_offset.sv
+sampler/sample_landing.sv
 sampler/sample_side.sv
 sampler/series_buffer.sv
 sampler/spline_sampler.sv
+sampler/shared_lander.sv
 sampler/step_tracker.sv
 serial/folded_accumulator.sv
 serial/folded_datapath.sv

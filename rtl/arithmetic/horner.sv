@@ -89,7 +89,7 @@ module horner #(
   // Index 0: the input; s + 1: what leaves stage s.
   logic                       loop_valid[        Stages+1];
   logic        [WordBits-1:0] loop_word [        Stages+1];
-  logic signed [    Bits-1:0] late      [(Stages+1)*Lanes];
+  logic signed [      Bits:0] late      [(Stages+1)*Lanes];  // a word and the bit below
   assign loop_valid[0] = valid_i;
   assign loop_word[0]  = {tag_i, x_i};
   for (genvar l = 0; l < Lanes; l++) begin : g_start
@@ -163,6 +163,7 @@ module horner #(
           .Address(Address),
           .Interval(Interval),
           .First(s == 0 ? 1 : 0),
+          .Last(s == Stages - 1 ? 1 : 0),
           .Form(Form)
       ) u_stage (
           .clk_i,
@@ -199,7 +200,7 @@ module horner #(
     assign tag_o   = tag_q;
   end
   for (genvar l = 0; l < Lanes; l++) begin : g_d
-    assign d_o[l*Bits+:Bits] = late[Stages*Lanes+l];
+    assign d_o[l*Bits+:Bits] = late[Stages*Lanes+l][Bits:1];
   end
 
 endmodule

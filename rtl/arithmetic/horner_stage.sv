@@ -4,6 +4,9 @@
 //     product = floor((coefficient + sum) x / 2^Shift + 1/2)
 //     sum     = product of the pass before, here or in the stage before; 0 in the first pass of all
 //
+// A product is a word and the bit below it.  Where a stage follows, its sum takes both and so
+// rounds; the last stage rounds itself, and the bit is 0.
+//
 //   enabled clock   0                1                2             3             Loop
 //   address_i       of the pass
 //   first_i         1: previous_i
@@ -22,6 +25,7 @@ module horner_stage #(
     parameter int Address   = 2,      // [1, 8] coefficients: Interval passes of every bank
     parameter int Interval  = 1,      // 1, 2, 4, 8 passes
     parameter int First     = 1,      // 1: no stage before
+    parameter int Last      = 1,      // 1: no stage behind
     parameter int Form      = 0       // form of the multiplier
 ) (
     input wire logic clk_i,
@@ -37,8 +41,8 @@ module horner_stage #(
     input  wire logic                      first_i,
     input  wire logic                      next_last_i,  // a clock before late_o is registered
     input  wire logic signed [   Bits-1:0] x_i,
-    input  wire logic signed [   Bits-1:0] previous_i,
-    output logic signed      [   Bits-1:0] late_o
+    input  wire logic signed [     Bits:0] previous_i,
+    output logic signed      [     Bits:0] late_o
 );
 
   logic signed [Bits-1:0] memory[2**Address];
@@ -63,9 +67,9 @@ module horner_stage #(
   end
 
   // The sum, in time for the addition to coef_q.
-  logic signed [Bits-1:0] sum;
+  logic signed [Bits:0] sum;
   if (Interval > 1) begin : g_fold
-    logic signed [Bits-1:0] sum_q;
+    logic signed [Bits:0] sum_q;
     always_ff @(posedge clk_i) begin
       if (en_i) begin
         if (!first_i) sum_q <= late_o;
@@ -74,7 +78,7 @@ module horner_stage #(
       end
     end
     if (Interval > 2) begin : g_late_sum
-      logic signed [Bits-1:0] sum2_q;
+      logic signed [Bits:0] sum2_q;
       always_ff @(posedge clk_i) begin
         if (en_i) sum2_q <= sum_q;
       end
@@ -88,13 +92,17 @@ module horner_stage #(
     assign sum = (First != 0) ? '0 : previous_i;
   end
 
+  logic signed [  Bits:0] coef_half;
+  logic signed [  Bits:0] twice;
   logic signed [Bits-1:0] accumulator_q;
+  assign coef_half = {coef_q, 1'b1};
+  assign twice     = coef_half + sum;
   always_ff @(posedge clk_i) begin
-    if (en_i) accumulator_q <= coef_q + sum;
+    if (en_i) accumulator_q <= twice[Bits:1];
   end
 
   localparam int Mixed = (Interval > 2 && LastShift != Shift) ? 1 : 0;
-  localparam int ProductShift = (Mixed != 0) ? 0 : Shift;
+  localparam int ProductShift = (Mixed != 0 || Last == 0) ? 0 : Shift;
   logic signed [2*Bits-ProductShift-1:0] product;
   multiplier #(
       .ABits(Bits),
@@ -128,13 +136,17 @@ module horner_stage #(
     assign one     = (Bits + 1)'(2'sd1);
     assign rounded = halves + one;
     always_ff @(posedge clk_i) begin
-      if (en_i) late_o <= rounded[Bits:1];
+      if (en_i) late_o <= {rounded[Bits:1], 1'b0};
     end
   end else begin : g_rounded
     logic unused_last;
-    logic signed [Bits-1:0] pass;
+    logic signed [Bits:0] pass;
     assign unused_last = next_last_i;
-    assign pass = product[Bits-1:0];
+    if (Last != 0) begin : g_last
+      assign pass = {product[Bits-1:0], 1'b0};
+    end else begin : g_exact
+      assign pass = product[Shift-1+:Bits+1];
+    end
     if (Interval > 2) begin : g_late
       always_ff @(posedge clk_i) begin
         if (en_i) late_o <= pass;

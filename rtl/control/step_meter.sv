@@ -27,11 +27,12 @@ module step_meter (
 );
 
   localparam int Bits = curvecore_pkg::StepBits;
+  localparam int Frac = curvecore_pkg::PathFrac;
 
-  logic               started_q;  // a step precedes the first of this segment
-  logic               last_before_q;  // the last step was the last of its segment
-  logic        [47:0] rest_q;  // rest of the segment, from this step's start
-  logic        [47:0] full_q;
+  logic started_q;  // a step precedes the first of this segment
+  logic last_before_q;  // the last step was the last of its segment
+  logic [47:0] rest_q;  // rest of the segment, from this step's start
+  logic [31:0] below_q;  // a full step less a quantum: ones below its exponent, and Frac more
   logic signed [48:0] beyond_q;  // rest of the segment, from a full step's end
 
   always_ff @(posedge clk_i) begin
@@ -46,29 +47,31 @@ module step_meter (
     end
   end
 
-  logic        [     5:0] full_exponent;
-  logic signed [    48:0] rest;
-  logic signed [    48:0] full;
+  // A full step has no fraction: the rest less it is, above the fraction, the rest plus the
+  // complement of below_q.
+  logic signed [    32:0] rest;
+  logic signed [    32:0] less;
+  logic signed [    32:0] beyond;
   logic        [    47:0] short_of;
   logic        [Bits-1:0] offset;
   logic        [  Bits:0] offset_wide;
   logic        [  Bits:0] bias;
-  assign full_exponent = {1'b0, k_i} + 6'(curvecore_pkg::PathFrac);
-  assign rest          = {1'b0, rest_q};
-  assign full          = {1'b0, full_q};
-  assign short_of      = full_q - 48'd1;
-  assign offset        = last_o ? rest_q[Bits-1:0] : short_of[Bits-1:0];
-  assign offset_wide   = {1'b0, offset_o};
-  assign bias          = {{Bits{1'b0}}, !last_before_q};
+  assign rest        = {1'b0, rest_q[47:Frac]};
+  assign less        = {1'b1, ~below_q};
+  assign beyond      = rest + less;
+  assign short_of    = {below_q, {Frac{1'b1}}};
+  assign offset      = last_o ? rest_q[Bits-1:0] : short_of[Bits-1:0];
+  assign offset_wide = {1'b0, offset_o};
+  assign bias        = {{Bits{1'b0}}, !last_before_q};
 
   always_ff @(posedge clk_i) begin
     if (load_i) begin
-      rest_q <= length_i;
-      full_q <= 48'd1 << full_exponent;
+      rest_q  <= length_i;
+      below_q <= ~(32'hffff_ffff << k_i);
     end else if (next_i) begin
       rest_q <= beyond_q[47:0];
     end
-    beyond_q <= rest - full;
+    beyond_q <= {beyond, rest_q[Frac-1:0]};
     last_o   <= beyond_q[48] || beyond_q == 49'd0;
     offset_o <= offset;
     stride_o <= offset_wide + bias;

@@ -17,6 +17,7 @@ module sample_side #(
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
     parameter int SamplerClocks  = 37,  // clocks from tau to d
+    parameter int QueueBlock     = 0,   // memory of the queue: 0 distributed, 1 block RAM
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -55,7 +56,6 @@ module sample_side #(
 );
 
   localparam int Axes = 3 + AuxAxes;
-  localparam int FineBits = PositionBits + GuardBits;
   localparam int StepBits = curvecore_pkg::StepBits;
 
   localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 7;
@@ -170,28 +170,8 @@ module sample_side #(
     assign unused = &rate_i;
   end
 
-  // A sample's way through the landers.
-  logic [4:0] land_valid_i_q;
-  logic [4:0] land_sample_q;
-  logic [2:0] land_q;
-  logic [2:0] land_step_q[4];
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      land_valid_i_q <= '0;
-      land_sample_q  <= '0;
-    end else begin
-      land_valid_i_q <= {land_valid_i_q[3:0], d_valid_i};
-      land_sample_q  <= {land_sample_q[3:0], d_valid_i && tag_i[4]};
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    land_q         <= {land_q[1:0], tag_i[3]};
-    land_step_q[0] <= tag_i[2:0];
-    land_step_q[1] <= land_step_q[0];
-    land_step_q[2] <= land_step_q[1];
-    land_step_q[3] <= land_step_q[2];
-  end
-
+  logic       leave;
+  logic [2:0] leave_step;
   series_buffer u_buffer (
       .clk_i,
       .rst_ni,
@@ -209,48 +189,34 @@ module sample_side #(
       .look_last_o(look_last),
       .look_k_o(look_k),
       .look_offset_o(look_offset),
-      .leave_i(land_valid_i_q[3]),
-      .leave_step_i(land_step_q[3])
+      .leave_i(leave),
+      .leave_step_i(leave_step)
   );
 
-  logic [    Axes*FineBits-1:0] fine;
-  logic [Axes*PositionBits-1:0] position;
-  for (genvar n = 0; n < Axes; n++) begin : g_axis
-    logic write;
-    assign write = point_i[2*FineBits+4] && point_i[2*FineBits+:4] == 4'(n);
-    lander #(
-        .CoefBits(CoefBits),
-        .PositionBits(PositionBits),
-        .GuardBits(GuardBits)
-    ) u_lander (
-        .clk_i,
-        .write_i(write),
-        .write_bank_i(write_step_o[1:0]),
-        .write_origin_i(point_i[0+:FineBits]),
-        .write_end_i(point_i[FineBits+:FineBits]),
-        .d_i(d[n*CoefBits+:CoefBits]),
-        .down_i(tag_i[9:5]),
-        .origin_bank_i(land_step_q[0][1:0]),
-        .end_bank_i(land_step_q[2][1:0]),
-        .land_i(land_q[2]),
-        .fine_o(fine[n*FineBits+:FineBits]),
-        .position_o(position[n*PositionBits+:PositionBits])
-    );
-  end
-
-  sample_queue #(
-      .Bits (Axes * (FineBits + PositionBits)),
-      .Depth(QueueDepth)
-  ) u_sample (
+  sample_landing #(
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .Axes(Axes),
+      .SampleInterval(SampleInterval),
+      .QueueDepth(QueueDepth),
+      .QueueBlock(QueueBlock)
+  ) u_landing (
       .clk_i,
       .rst_ni,
+      .write_bank_i(write_step_o[1:0]),
+      .point_i,
+      .valid_i(d_valid_i),
+      .d_i(d),
+      .tag_i,
+      .leave_o(leave),
+      .leave_step_o(leave_step),
       .admit_i(request_admitted && request_take),
-      .room_o (room_for_sample),
-      .push_i (land_sample_q[4]),
-      .data_i ({fine, position}),
-      .valid_o(sample_valid_o),
-      .ready_i(sample_ready_i),
-      .data_o ({sample_fine_o, sample_position_o})
+      .room_o(room_for_sample),
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_position_o,
+      .sample_fine_o
   );
 
 endmodule

@@ -129,6 +129,19 @@ module folded_datapath #(
   );
   always_ff @(posedge clk_i) c_q <= c;
 
+  // Block RAM is slow: without the accumulator of sums there is the time for a register behind it.
+  logic signed [W-1:0] a_factor;
+  logic signed [W-1:0] b_factor;
+  if (Splines == 0) begin : g_factors
+    always_ff @(posedge clk_i) begin
+      a_factor <= a;
+      b_factor <= b;
+    end
+  end else begin : g_words
+    assign a_factor = a;
+    assign b_factor = b;
+  end
+
   // To nearest, ties upwards: the floor plus the bit below.
   logic signed [2*W-1:0] product;
   logic signed [  W-1:0] floor;
@@ -144,23 +157,17 @@ module folded_datapath #(
   ) u_multiplier (
       .clk_i,
       .en_i     (1'b1),
-      .a_i      (a),
-      .b_i      (b),
+      .a_i      (a_factor),
+      .b_i      (b_factor),
       .product_o(product)
   );
   if (Splines == 0) begin : g_product
-    logic       unused_more;
-    logic       longer;
-    logic [W:0] waits_q     [1+Early];
+    logic unused_more;
+    logic longer;
     assign unused_more = more_i;
-    assign longer = scale_q[5-Early][0];
+    assign longer = scale_q[6-Early][0];
     assign floor = longer ? product[2*W-2:W-1] : product[2*W-3:W-2];
     assign below = longer ? product[W-2] : product[W-3];
-    always_ff @(posedge clk_i) begin
-      waits_q[0] <= {floor, below};
-      for (int n = 1; n <= Early; n = n + 1) waits_q[n] <= waits_q[n-1];
-    end
-    assign rounding = waits_q[Early];
   end else begin : g_sum
     // This is a stage later than the product.
     logic more_q[6-Early];
@@ -178,13 +185,13 @@ module folded_datapath #(
         .floor_o  (floor),
         .below_o  (below)
     );
-    if (Early == 1) begin : g_wait
-      logic [W:0] waits_q;
-      always_ff @(posedge clk_i) waits_q <= {floor, below};
-      assign rounding = waits_q;
-    end else begin : g_now
-      assign rounding = {floor, below};
-    end
+  end
+  if (Early == 1) begin : g_wait
+    logic [W:0] waits_q;
+    always_ff @(posedge clk_i) waits_q <= {floor, below};
+    assign rounding = waits_q;
+  end else begin : g_now
+    assign rounding = {floor, below};
   end
   assign sum = {c_q, 1'b1} + rounding;
   always_ff @(posedge clk_i) d_o <= sum[W:1];

@@ -152,7 +152,8 @@ void path_side(Arrangement& view) {
 void positions(Arrangement& view, const CoreParameters& core) {
     Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
     const char* const engine = "g_engine.g_axes[{}].whole";
-    const char* const lander = "g_circuits.u_motion.u_core.u_side.g_axis[{}].u_lander.position_o";
+    const char* const lander =
+        "g_circuits.u_motion.u_core.u_side.u_landing.g_output[{}].position_q";
     const char* const words = core.build == Build::kEngine ? engine : lander;
     for (int axis = 0; axis < core.axes(); ++axis) {
         signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});
