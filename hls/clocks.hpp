@@ -28,6 +28,7 @@ struct TimedCore {
     bool splines = false;
     int sample_interval = 1;  // clocks per sample of the parallel build
     bool anchor = true;       // splines: anchored in every step
+    bool networks = true;     // of the parallel build: steps by the networks
 };
 
 /// | field   | parallel build                         | serial build and engine, at most   |
@@ -225,10 +226,38 @@ constexpr int tick_clocks(const TimedCore& core) {
     return core.build == Build::kEngine ? kEngineTickClocks : core.sample_interval;
 }
 
+/// Clocks of a part of the program, words and two more, and of the rest of a step, which sends its
+/// points: rtl/serial/folded_steps.sv.
+constexpr int part_clocks(int words) { return words + 2; }
+constexpr int send_clocks(const TimedCore& core) { return 3 * (3 + core.aux_axes) + 2; }
+
+/// Clocks of steps along lines and arcs by the program.
+constexpr Clocks folded_arc_clocks(const TimedCore& core) {
+    const int order = core.order;
+    const int rest = (core.series ? 0 : part_clocks(11 * order + 18)) +
+                     part_clocks(15 * order + 14) + send_clocks(core);
+    return {core.sample_interval, 1 + part_clocks(18) + rest,
+            load_clocks(core) - 1 + part_clocks(11 * (order - 1)) + rest};
+}
+
+/// Clocks of steps along splines by the program: sums of more than eight products take longer than
+/// the wait for a result does.
+constexpr Clocks folded_spline_clocks(const TimedCore& core) {
+    const int order = core.order;
+    const int late = std::max(0, order - 8);
+    const int network = 4 * order * order + 37 * order + late * (late - 1) / 2 +
+                        (core.series ? 3 * order * (order + 11) / 2 - order + 2 : 0) +
+                        send_clocks(core);
+    const int keep = core.series ? 0 : part_clocks(3);
+    return {core.sample_interval, network + order + late + keep + 84,
+            load_clocks(core) - 1 + network + 98};
+}
+
 /// Clocks along lines, arcs and helices.
 constexpr Clocks arc_clocks(const TimedCore& core) {
     if (core.build == Build::kEngine) return engine_clocks(core, false);
     if (core.build == Build::kSerial) return serial_arc_clocks(core);
+    if (!core.networks) return folded_arc_clocks(core);
     const int step = arc_step_clocks(core);
     return {core.sample_interval, step, std::max(step, load_clocks(core))};
 }
@@ -237,6 +266,7 @@ constexpr Clocks arc_clocks(const TimedCore& core) {
 constexpr Clocks spline_clocks(const TimedCore& core) {
     if (core.build == Build::kEngine) return engine_clocks(core, true);
     if (core.build == Build::kSerial) return serial_spline_clocks(core);
+    if (!core.networks) return folded_spline_clocks(core);
     return {core.sample_interval, spline_step_clocks(core, false) + kNextSplineStep,
             std::max(spline_step_clocks(core, true) + kNextSplineStep, load_clocks(core))};
 }

@@ -2,22 +2,24 @@
 // Positions along lines, arcs, helices and splines, one per request: [Chikurov] Fig. 8 and Fig. 10
 // side by side.  Twin: hls/interpolator_kernel.hpp with hls/curve_kernel.hpp, bit for bit.
 //
-//   segment words -> starter -> steps (ahead) -> banks -> sampler -> lander -> samples
-//   requests ------------------> step tracker -> offset ----^
+//   segment words -> steps (ahead) -> banks -> sampler -> lander -> samples
+//   requests ------> step tracker -> offset ----^
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
 // order.  It waits until its step is ready.  Nothing is lost at a change of kind.
 //
 //   clocks (hls/clocks.hpp)           value
 //   between samples                   SampleInterval
-//   request to sample                 12 + 3 SampleInterval + curvecore_pkg::sampler_latency, and
-//                                     up to SampleInterval - 1 more
-//   of an integration step            rtl/network/spherical_steps.sv; spline_steps.sv and 2 more
-//   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
+//   request to sample                 12 + 3 SampleInterval + curvecore_pkg::sampler_latency, Axes
+//                                     more where SampleInterval is as large, and up to
+//                                     SampleInterval - 1 more
+//   of an integration step            rtl/network/curve_steps.sv, with Networks 0
+//                                     rtl/serial/folded_steps.sv
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
 // ParameterGuard: fraction bits below the words' in which a spline's parameter adds up.
+// Networks 0, for less logic: steps by the networks' program on one multiplier, and block RAM.
 // Segments of a kind not in Curves are drawn as the other kind.
 // Formats: hls/words.hpp.
 `default_nettype none
@@ -32,6 +34,7 @@ module curve_interpolator #(
     parameter int Anchor         = 1,   // 0, 1; for splines
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
     parameter int ParameterGuard = 0,   // [0, 8], for splines
+    parameter int Networks       = 1,   // 1 steps by the networks, 0 by their program
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -66,6 +69,10 @@ module curve_interpolator #(
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
   initial
     if (ParameterGuard < 0 || ParameterGuard > 8) $fatal(1, "ParameterGuard must be in [0, 8]");
+  initial if (Networks < 0 || Networks > 1) $fatal(1, "Networks must be 0 or 1");
+  initial
+    if (Networks == 0 && (Anchor != 1 || ParameterGuard != 0))
+      $fatal(1, "Networks 0 works with Anchor 1 and ParameterGuard 0 only");
   initial
     if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
   initial
@@ -86,159 +93,84 @@ module curve_interpolator #(
   assign segment_ready_o = segment_ready && rst_n;
   assign request_ready_o = request_ready && rst_n;
 
-  // The present segment's words.
-  logic                       room;
-  logic        [         1:0] ready;
-  logic        [         1:0] done;
-  logic        [         1:0] start;
-  logic                       fresh;
-  logic                       last;
-  logic        [StepBits-1:0] offset;
-  logic        [  StepBits:0] stride;
-  logic                       spline;
-  logic        [CoefBits-1:0] theta;
-  logic        [         4:0] k;
-  logic        [         5:0] lambda;
-  logic        [         3:0] arc_segment_axis;
-  logic        [         3:0] spline_segment_axis;
-  logic        [         3:0] arc_segment_point;
-  logic        [         3:0] spline_segment_point;
-  logic signed [CoefBits-1:0] tangent;
-  logic signed [CoefBits-1:0] normal;
-  logic signed [CoefBits-1:0] advance;
-  logic signed [CoefBits-1:0] cubic_a, cubic_b, cubic_c;
-  logic signed [FineBits-1:0] start_point;
-  logic signed [FineBits-1:0] end_point;
-
-  // Words that the steps of either kind write into the banks.
-  localparam int WordsBits = bank_pkg::Lanes * CoefBits;
-  logic [2:0] write_step;
-  logic [CoefBits+4:0] arc_rate, spline_rate, rate;  // {there, axis, rate}
-  logic [2*FineBits+4:0] arc_point, spline_point, point;  // {there, axis, end, origin}
-  logic [bank_pkg::Bits-1:0] arc_write, spline_write;
-  logic [WordsBits-1:0] arc_words, spline_words;
-  assign rate  = (Curves == 1 || arc_rate[CoefBits+4]) ? arc_rate : spline_rate;
-  assign point = (Curves == 1 || arc_point[2*FineBits+4]) ? arc_point : spline_point;
-
-  step_starter #(
-      .Curves  (Curves),
-      .CoefBits(CoefBits),
-      .FineBits(FineBits),
-      .AuxAxes (AuxAxes)
-  ) u_starter (
-      .clk_i,
-      .rst_ni(rst_n),
-      .segment_valid_i,
-      .segment_ready_o(segment_ready),
-      .segment_data_i,
-      .empty_segments_o,
-      .room_i(room),
-      .ready_i(ready == 2'b11 && !done[0]),  // a spline is done before it is ready
-      .done_i(done != 2'b00),
-      .start_o(start),
-      .fresh_o(fresh),
-      .last_o(last),
-      .offset_o(offset),
-      .stride_o(stride),
-      .spline_o(spline),
-      .theta_o(theta),
-      .k_o(k),
-      .lambda_o(lambda),
-      .rate_axis_i(arc_segment_axis),
-      .tangent_o(tangent),
-      .normal_o(normal),
-      .advance_o(advance),
-      .cubic_axis_i(spline_segment_axis),
-      .a_o(cubic_a),
-      .b_o(cubic_b),
-      .c_o(cubic_c),
-      .point_axis_i(spline ? spline_segment_point : arc_segment_point),
-      .point_o(start_point),
-      .end_o(end_point)
-  );
-
-  if (Curves != 2) begin : g_arcs
-    spherical_steps #(
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .FineBits(FineBits),
-        .GuardBits(GuardBits),
-        .AuxAxes(AuxAxes),
-        .Mode(Mode)
-    ) u_steps (
-        .clk_i,
-        .rst_ni(rst_n),
-        .start_i(start[0]),
-        .fresh_i(fresh),
-        .ready_o(ready[0]),
-        .done_o(done[0]),
-        .theta_i(theta),
-        .k_i(k),
-        .segment_axis_o(arc_segment_axis),
-        .tangent_i(tangent),
-        .normal_i(normal),
-        .advance_i(advance),
-        .segment_point_o(arc_segment_point),
-        .start_point_i(start_point),
-        .end_point_i(end_point),
-        .bank_i(write_step[1:0]),
-        .rate_o(arc_rate),
-        .point_o(arc_point),
-        .write_o(arc_write),
-        .words_o(arc_words)
-    );
-  end else begin : g_no_arcs
-    logic unused;
-    assign unused                                      = &{start[0], tangent, normal, advance};
-    assign ready[0]                                    = 1'b1;
-    assign done[0]                                     = 1'b0;
-    assign arc_segment_axis                            = '0;
-    assign arc_segment_point                           = '0;
-    assign {arc_rate, arc_point, arc_write, arc_words} = '0;
-  end
-
-  if (Curves != 1) begin : g_splines
-    spline_steps #(
+  // Steps, ahead of the samples, into banks.
+  logic                                room;
+  logic [                         2:0] write_step;
+  logic                                done;
+  logic                                last;
+  logic [                         4:0] k;
+  logic [                StepBits-1:0] offset;
+  logic [                  StepBits:0] stride;
+  logic [                CoefBits+4:0] rate;  // {there, axis, rate}
+  logic [              2*FineBits+4:0] point;  // {there, axis, end, origin}
+  logic [          bank_pkg::Bits-1:0] arc_write;
+  logic [          bank_pkg::Bits-1:0] spline_write;
+  logic [bank_pkg::Lanes*CoefBits-1:0] arc_words;
+  logic [bank_pkg::Lanes*CoefBits-1:0] spline_words;
+  if (Networks != 0) begin : g_networks
+    curve_steps #(
+        .Curves(Curves),
         .Order(Order),
         .CoefBits(CoefBits),
         .FineBits(FineBits),
         .GuardBits(GuardBits),
         .AuxAxes(AuxAxes),
         .Mode(Mode),
-        .ParameterGuard(ParameterGuard),
         .Anchor(Anchor),
+        .ParameterGuard(ParameterGuard),
         .Form(MultiplierForm % 2)
     ) u_steps (
         .clk_i,
         .rst_ni(rst_n),
-        .start_i(start[1]),
-        .fresh_i(fresh),
-        .ready_o(ready[1]),
-        .done_o(done[1]),
-        .theta_i(theta),
-        .k_i(k),
-        .lambda_i(lambda[4:0]),
-        .segment_axis_o(spline_segment_axis),
-        .a_i(cubic_a),
-        .b_i(cubic_b),
-        .c_i(cubic_c),
-        .segment_point_o(spline_segment_point),
-        .start_point_i(start_point),
-        .end_point_i(end_point),
+        .segment_valid_i,
+        .segment_ready_o(segment_ready),
+        .segment_data_i,
+        .empty_segments_o,
+        .room_i(room),
         .bank_i(write_step[1:0]),
-        .rate_o(spline_rate),
-        .point_o(spline_point),
-        .write_o(spline_write),
-        .words_o(spline_words)
+        .done_o(done),
+        .last_o(last),
+        .k_o(k),
+        .offset_o(offset),
+        .stride_o(stride),
+        .rate_o(rate),
+        .point_o(point),
+        .arc_write_o(arc_write),
+        .arc_words_o(arc_words),
+        .spline_write_o(spline_write),
+        .spline_words_o(spline_words)
     );
-  end else begin : g_no_splines
-    logic unused;
-    assign unused = &{start[1], lambda, cubic_a, cubic_b, cubic_c};
-    assign ready[1] = 1'b1;
-    assign done[1] = 1'b0;
-    assign spline_segment_axis = '0;
-    assign spline_segment_point = '0;
-    assign {spline_rate, spline_point, spline_write, spline_words} = '0;
+  end else begin : g_program
+    folded_steps #(
+        .Curves(Curves),
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .FineBits(FineBits),
+        .GuardBits(GuardBits),
+        .AuxAxes(AuxAxes),
+        .Mode(Mode),
+        .MultiplierForm(MultiplierForm)
+    ) u_steps (
+        .clk_i,
+        .rst_ni(rst_n),
+        .segment_valid_i,
+        .segment_ready_o(segment_ready),
+        .segment_data_i,
+        .empty_segments_o,
+        .room_i(room),
+        .bank_i(write_step[1:0]),
+        .done_o(done),
+        .last_o(last),
+        .k_o(k),
+        .offset_o(offset),
+        .stride_o(stride),
+        .rate_o(rate),
+        .point_o(point),
+        .arc_write_o(arc_write),
+        .arc_words_o(arc_words),
+        .spline_write_o(spline_write),
+        .spline_words_o(spline_words)
+    );
   end
 
   logic [           2:0] tau_phase;
@@ -259,7 +191,7 @@ module curve_interpolator #(
   ) u_sampler (
       .clk_i,
       .rst_ni(rst_n),
-      .rate_i(arc_rate),
+      .rate_i(rate),
       .arc_write_i(arc_write),
       .arc_words_i(arc_words),
       .spline_write_i(spline_write),
@@ -280,13 +212,14 @@ module curve_interpolator #(
       .AuxAxes(AuxAxes),
       .SampleInterval(SampleInterval),
       .SamplerClocks(curvecore_pkg::sampler_latency(Curves, Mode, Order, SampleInterval)),
+      .QueueBlock(1 - Networks),
       .MultiplierForm(MultiplierForm)
   ) u_side (
       .clk_i,
       .rst_ni(rst_n),
       .room_o(room),
       .write_step_o(write_step),
-      .step_done_i(done != 2'b00),
+      .step_done_i(done),
       .last_i(last),
       .k_i(k),
       .offset_i(offset),

@@ -91,6 +91,7 @@ multiplier/multiplier_ecp5.sv
 multiplier/multiplier_portable.sv
 multiplier/multiplier_up5k.sv
 network/arc_bank.sv
+network/curve_steps.sv
 network/hyperbola_network.sv
 network/sine_cosine_network.sv
 network/spherical_network.sv
@@ -151,15 +152,16 @@ sampler/lander.sv
 sampler/polynomial_axis.sv
 sampler/polynomial_products.sv
 sampler/polynomial_sampler.sv
-sampler/sample_offset.sv
 sampler/sample_landing.sv
+sampler/sample_offset.sv
 sampler/sample_side.sv
 sampler/series_buffer.sv
-sampler/spline_sampler.sv
 sampler/shared_lander.sv
+sampler/spline_sampler.sv
 sampler/step_tracker.sv
 serial/folded_accumulator.sv
 serial/folded_datapath.sv
+serial/folded_steps.sv
 serial/scale_words.sv
 serial/serial_issue.sv
 serial/serial_lander.sv
@@ -167,6 +169,8 @@ serial/serial_program.sv
 serial/serial_segment.sv
 serial/serial_sequencer.sv
 serial/serial_tracker.sv
+serial/step_points.sv
+serial/step_words.sv
 serial/word_memory.sv
 sine_cosine_interpolator.sv
 spherical_interpolator.sv

@@ -46,22 +46,23 @@
 //               cannot be trusted; Build 2: Program is for other parameters, or was changed
 `default_nettype none
 module motion_interpolator #(
-    parameter int Build             = 0,     // 0 parallel, 2 the engine
-    parameter int Order             = 6,     // [2, 12]
-    parameter int CoefBits          = 36,    // [18, 36]
-    parameter int PositionBits      = 32,    // [16, 32]
-    parameter int GuardBits         = 10,    // [2, 12]
-    parameter int AuxAxes           = 0,     // [0, 6]
-    parameter int Splines           = 0,     // 1: segments of splines too
-    parameter int Mode              = 0,     // 0 series, 1 polynomial
-    parameter int Anchor            = 1,     // 0, 1, for splines; 0 with Build 0 only
-    parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
-    parameter int ParameterGuard    = 0,     // [0, 8], for splines; above 0 with Build 0 only
-    parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int Build = 0,  // 0 parallel, 2 the engine
+    parameter int Order = 6,  // [2, 12]
+    parameter int CoefBits = 36,  // [18, 36]
+    parameter int PositionBits = 32,  // [16, 32]
+    parameter int GuardBits = 10,  // [2, 12]
+    parameter int AuxAxes = 0,  // [0, 6]
+    parameter int Splines = 0,  // 1: segments of splines too
+    parameter int Mode = 0,  // 0 series, 1 polynomial
+    parameter int Anchor = 1,  // 0, 1, for splines; 0 with Build 0 only
+    parameter int SampleInterval = 1,  // 1, 2, 4, 8 clocks
+    parameter int ParameterGuard = 0,  // [0, 8], for splines; above 0 with Build 0 only
+    parameter int Networks = 1,  // 1 steps by the networks, 0, with Build 0, by a program
+    parameter int MultiplierForm = 0,  // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096,  // [16, 4096], a power of two
-    parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
-    parameter     Data              = ""
+    parameter Program = "",  // files of Build 2: scripts/microcode.sh
+    parameter Data = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -119,6 +120,7 @@ module motion_interpolator #(
   initial
     if (Build != 0 && ParameterGuard != 0)
       $fatal(1, "Build %0d works with ParameterGuard 0 only", Build);
+  initial if (Build != 0 && Networks != 1) $fatal(1, "Build %0d works with Networks 1 only", Build);
 
   initial
     if (Build == 2 && (Program == "" || Data == ""))
@@ -234,6 +236,7 @@ module motion_interpolator #(
         .Anchor(Anchor),
         .SampleInterval(SampleInterval),
         .ParameterGuard(ParameterGuard),
+        .Networks(Networks),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords)

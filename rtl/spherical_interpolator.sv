@@ -11,8 +11,10 @@
 //   clocks                            value (Digits = ceil(CoefBits / 2))
 //   between samples                   SampleInterval
 //   request to sample                 12 + 3 SampleInterval + that of the sampler, and up to
-//                                     SampleInterval - 1 more
-//   of an integration step            Order (Digits + 3) + 7
+//                                     SampleInterval - 1 more; Axes more where SampleInterval is as
+//                                     large
+//   of an integration step            Order (Digits + 3) + 7; with Networks 0 other ones
+//                                     (hls/clocks.hpp)
 //   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
@@ -27,6 +29,7 @@ module spherical_interpolator #(
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int Networks       = 1,   // 1 steps by the networks, 0 by their program
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -60,6 +63,7 @@ module spherical_interpolator #(
       .AuxAxes(AuxAxes),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
+      .Networks(Networks),
       .MultiplierForm(MultiplierForm)
   ) u_curves (
       .clk_i,

@@ -11,8 +11,10 @@
 //   clocks                            value
 //   between samples                   SampleInterval
 //   request to sample                 12 + 3 SampleInterval + that of spline_sampler, and up to
-//                                     SampleInterval - 1 more
-//   of an integration step            94 + those of spline_sequencer
+//                                     SampleInterval - 1 more; Axes more where SampleInterval is as
+//                                     large
+//   of an integration step            94 + those of spline_sequencer; with Networks 0 other ones
+//                                     (hls/clocks.hpp)
 //   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
@@ -31,6 +33,7 @@ module spline_interpolator #(
     parameter int Anchor         = 1,   // 0, 1
     parameter int ParameterGuard = 0,   // [0, 8]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int Networks       = 1,   // 1 steps by the networks, 0 by their program
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -66,6 +69,7 @@ module spline_interpolator #(
       .Anchor(Anchor),
       .ParameterGuard(ParameterGuard),
       .SampleInterval(SampleInterval),
+      .Networks(Networks),
       .MultiplierForm(MultiplierForm)
   ) u_curves (
       .clk_i,

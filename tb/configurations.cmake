@@ -253,6 +253,10 @@ foreach(core spherical_interpolator spline_interpolator curve_interpolator
   illegal_core_parameters(${core})
 endforeach()
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
+foreach(other Anchor=0 ParameterGuard=1)
+  illegal_parameter_test(curve_interpolator Networks=0,${other}
+                         "Networks 0 works with Anchor 1 and ParameterGuard 0 only")
+endforeach()
 
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)

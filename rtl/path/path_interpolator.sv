@@ -15,6 +15,7 @@ module path_interpolator #(
     parameter int Anchor            = 1,     // 0, 1, for splines
     parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
     parameter int ParameterGuard    = 0,     // [0, 8], for splines
+    parameter int Networks          = 1,     // 1 steps by the networks, 0 by their program
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
@@ -275,6 +276,7 @@ module path_interpolator #(
       .Anchor(Anchor),
       .SampleInterval(SampleInterval),
       .ParameterGuard(ParameterGuard),
+      .Networks(Networks),
       .MultiplierForm(MultiplierForm)
   ) u_core (
       .clk_i,

@@ -46,11 +46,13 @@ module curve_sampler #(
     logic                      arc;
     logic [bank_pkg::Bits-1:0] write;
     logic [    3*CoefBits-1:0] words;
+    logic [               2:0] lanes;
     logic [               3:0] pass;
     assign unused = &{rate_i, write, arc_words_i, spline_words_i};  // other lanes
-    assign arc    = Curves == 1 || arc_write_i[bank_pkg::Lane+bank_pkg::X];
+    assign arc    = Curves == 1 || arc_write_i[bank_pkg::Lane+bank_pkg::X+:3] != 3'd0;
     assign write  = arc ? arc_write_i : spline_write_i;
     assign words  = arc ? arc_words_i[3*CoefBits-1:0] : spline_words_i[3*CoefBits-1:0];
+    assign lanes  = write[bank_pkg::Lane+bank_pkg::X+:3];
     assign pass   = 4'(Order) - write[bank_pkg::Place+:4];
     horner #(
         .Passes(Order),
@@ -65,8 +67,8 @@ module curve_sampler #(
         .clk_i,
         .rst_ni,
         .en_i(1'b1),
-        .write_i(write[bank_pkg::Lane+bank_pkg::X]),
-        .write_lanes_i({3{1'b1}}),
+        .write_i(lanes != 3'd0),
+        .write_lanes_i(lanes),
         .write_bank_i(write[bank_pkg::Bank+:2]),
         .write_pass_i(pass),
         .write_coef_i(words),

@@ -27,8 +27,9 @@ module polynomial_axis #(
     input wire logic        [         1:0] bank_i,
     input wire logic                       advance_write_i,
     input wire logic signed [CoefBits-1:0] advance_i,
-    input wire logic                       unit_write_i,
+    input wire logic                       normal_write_i,
     input wire logic signed [CoefBits-1:0] normal_i,
+    input wire logic                       tangent_write_i,
     input wire logic signed [CoefBits-1:0] tangent_i,
 
     // Samples
@@ -48,8 +49,8 @@ module polynomial_axis #(
   logic signed [CoefBits-1:0] tangent_memory[4];
   always_ff @(posedge clk_i) begin
     if (advance_write_i) advance_memory[bank_i] <= advance_i;
-    if (unit_write_i) normal_memory[bank_i] <= normal_i;
-    if (unit_write_i) tangent_memory[bank_i] <= tangent_i;
+    if (normal_write_i) normal_memory[bank_i] <= normal_i;
+    if (tangent_write_i) tangent_memory[bank_i] <= tangent_i;
   end
 
   logic signed [CoefBits-1:0] normal_q;

@@ -270,9 +270,9 @@ module serial_program #(
       program_rom[248] = 61'h01160060a08d30c6;
       program_rom[249] = 61'h00160070a08d30c7;
       program_rom[250] = 61'h00160080a08d30c8;
-      program_rom[251] = 61'h00140000a00a00a0;
-      program_rom[252] = 61'h00140000a00a00a0;
-      program_rom[253] = 61'h00140000a00a00a0;
+      program_rom[251] = 61'h11110130a0081013;
+      program_rom[252] = 61'h00110330a0081033;
+      program_rom[253] = 61'h00110530a0081053;
       program_rom[254] = 61'h00140000a00a00a0;
       program_rom[255] = 61'h00140000a00a00a0;
     end

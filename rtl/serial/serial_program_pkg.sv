@@ -13,4 +13,5 @@ package serial_program_pkg;
   localparam logic [7:0] SplineExpandEntry = 8'd158;
   localparam logic [7:0] SplineSeriesEntry = 8'd218;
   localparam logic [7:0] SplinePolynomialEntry = 8'd227;
+  localparam logic [7:0] SplineKeepEntry = 8'd251;
 endpackage

@@ -11,7 +11,7 @@ module serial_segment #(
     parameter int CoefBits = 36,  // [18, 36]
     parameter int FineBits = 42,  // [18, 44]
     parameter int AuxAxes  = 0,   // [0, 6]
-    parameter int Splines  = 1    // 0, 1
+    parameter int Splines  = 1    // 0 no segment is one, 1 those that say so, 2 all
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -115,7 +115,8 @@ module serial_segment #(
       else scaling_q <= (complete && !empty_q && spline_o) || (scaling_q && !scale_done);
     end
     always_ff @(posedge clk_i) begin
-      if (accept && field_q == Theta) spline_o <= segment_data_i[words_pkg::KindLow];
+      if (accept && field_q == Theta)
+        spline_o <= Splines == 2 || segment_data_i[words_pkg::KindLow];
       if (accept && field_q == Normal && axis_q == 4'd0)
         lambda_q <= segment_data_i[words_pkg::LambdaLow+:5];
       spline_down_o <= 5'(curvecore_pkg::MaxStepExponent) - lambda_q;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the program (serial_program.sv) on the folded datapath: one network part alone, or up to
-// three samples, which take turns with frames of three words.  A rotation is nine clocks.
+// three samples, which take turns with frames of three words.  A rotation is nine clocks.  With
+// Samples 0 there are none.
 //
 //   cycle      0                 1      2        3
 //              place in program  word   decode   addresses_o, target_o
@@ -21,7 +22,8 @@ module serial_sequencer #(
     parameter int Order   = 6,  // [2, 12]
     parameter int AuxAxes = 0,  // [0, 6]
     parameter int Mode    = 0,  // 0 series, 1 polynomial
-    parameter int Splines = 1   // 0, 1
+    parameter int Splines = 1,  // 0, 1
+    parameter int Samples = 1   // 0 the network alone, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -95,16 +97,16 @@ module serial_sequencer #(
   logic [PlaceBits-1:0] place;
   logic [          3:0] order;
   logic                 turn_active;
-  assign turn_active = active_q[turn_q];
+  assign turn_active = Samples != 0 && active_q[turn_q];
   assign run = (turn_q == 2'd0 && word_q == 2'd0) ? room_i : run_q;
-  assign start       = run && word_q == 2'd0 && turn_q == next_q && !turn_active && sample_q
-                     && spacing_q == 2'd0;
+  assign start       = Samples != 0 && run && word_q == 2'd0 && turn_q == next_q && !turn_active
+                     && sample_q && spacing_q == 2'd0;
   assign slice = (word_q == 2'd0) ? (start || (run && turn_active)) : slice_q;
-  assign fetch = net_busy_o || slice;
+  assign fetch = net_busy_o || (Samples != 0 && slice);
   always_comb begin
     place = (word_q == 2'd0) ? frame_q[turn_q] : follow_q;
     order = order_q[turn_q];
-    if (net_busy_o) begin
+    if (Samples == 0 || net_busy_o) begin
       place = net_place_q;
       order = net_order_q;
     end
@@ -163,7 +165,7 @@ module serial_sequencer #(
       .valid_i       (valid_q),
       .word_i        (word),
       .i_i           (i_q),
-      .context_i     (context_q),
+      .context_i     ((Samples != 0) ? context_q : 2'd0),
       .land_i        (flag_q),
       .stall_o       (stall),
       .first_result_o(issued_o),

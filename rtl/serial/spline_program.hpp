@@ -207,6 +207,14 @@ inline void spline_polynomial(Program& program) {
                   }));
 }
 
+/// Writes a' of each axis once more, for the bank of a step that is not its segment's first.
+inline void spline_keep(Program& program) {
+    Words words =
+        for_axes([](int axis) { return make(step_a(axis), kZero, step_a(axis), kOne, kCoef); });
+    words.front().wait = true;
+    program.frame(words, kHalt, 3);
+}
+
 inline void spline_parts(Program& program) {
     program.part("SplineLoad");
     spline_load(program);
@@ -218,6 +226,8 @@ inline void spline_parts(Program& program) {
     spline_series(program);
     program.part("SplinePolynomial");
     spline_polynomial(program);
+    program.part("SplineKeep");
+    spline_keep(program);
 }
 
 }  // namespace curvecore::serial

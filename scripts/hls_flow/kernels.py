@@ -9,7 +9,7 @@ from synthesis.refused import Refused
 from synthesis.tables import parameters as table
 
 # Parameters of the RTL alone: a clock's share of the work, a device's multipliers.
-RTL_ALONE = ("SampleInterval", "MultiplierForm")
+RTL_ALONE = ("SampleInterval", "Networks", "MultiplierForm")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -21,6 +21,7 @@ hls::TimedCore timed_core(const CoreParameters& parameters) {
     core.splines = parameters.splines != 0;
     core.sample_interval = parameters.sample_interval;
     core.anchor = parameters.anchor != 0;
+    core.networks = parameters.networks != 0;
     return core;
 }
 

@@ -72,7 +72,8 @@ class Arrangement {
 
 void parallel_core(Arrangement& view) {
     const std::string core = kCircuits + "u_core.";
-    view.group("Steps", core + "u_starter.",
+    const std::string networks = core + "g_networks.u_steps.";
+    view.group("Steps", networks + "u_starter.",
                {{kBit, "there"},
                 {kBit, "room_i"},
                 {kUnsigned, "start_o"},
@@ -80,7 +81,7 @@ void parallel_core(Arrangement& view) {
                 {kBit, "done_i"},
                 {kBit, "last_o"},
                 {kUnsigned, "k_o"}});
-    view.group("Lines and arcs", core + "g_arcs.u_steps.",
+    view.group("Lines and arcs", networks + "g_arcs.u_steps.",
                {{kUnsigned, "order"},
                 {kBit, "collect"},
                 {kSigned, "x"},
@@ -89,7 +90,7 @@ void parallel_core(Arrangement& view) {
                 {kSigned, "f"},
                 {kSigned, "g"},
                 {kSigned, "h"}});
-    view.group("Splines", core + "g_splines.u_steps.",
+    view.group("Splines", networks + "g_splines.u_steps.",
                {{kSigned, "word"},
                 {kBit, "start_network"},
                 {kSigned, "phi_end"},

@@ -163,6 +163,7 @@ bool clock_is_known(const Device& device) {
 
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
                                      const Device& device) {
+    if (parameters.networks == 0) return std::nullopt;  // no runs of it were measured
     const auto model = [&](std::string_view quantity) {
         return model_file().find(parameters.build, quantity, device.family);
     };

@@ -4,7 +4,8 @@
 // (rtl/curve_interpolator_serial.sv).
 //
 //   part      after the samples when all is quiet; a clock or more after the part before, six if it
-//             is the first of a segment or of a step (0, 2)
+//             is the first of a segment or of a step (0, 2); 6, of splines alone, is that of
+//             rtl/serial/folded_steps.sv
 //   sample    six clocks or more after a part, or five after the last one that was taken, when its
 //             tau may be written; it stays until it is taken
 //   spline    changes when nothing is under way; a part comes before the next sample
@@ -18,7 +19,7 @@ module serial_environment #(
 ) (
     input wire logic       clk_i,
     input wire logic       rst_ni,
-    input wire logic [2:0] act_i,   // 0 .. 3 a part; 4 a sample; 5 other segments; 6, 7 nothing
+    input wire logic [2:0] act_i,   // 0 .. 3, 6 a part; 4 a sample; 5 other segments; 7 nothing
     input wire logic       land_i,
     input wire logic       take_i,  // a sample by the user, if one is there
 
@@ -80,34 +81,36 @@ module serial_environment #(
   logic [2:0] rest_q;
   logic       rests;
   logic       between;
+  logic       keeps;
   assign rests       = rest_q != 3'd0;
+  assign keeps       = act_i == 3'd6 && spline_o;
   assign between     = !net_busy_o && !busy_q && !sample_o && (quiet_o || !sampled_q);
-  assign net_start_o = act_i <= 3'd3 && between && (act_i[0] || !rests);
+  assign net_start_o = between && ((act_i <= 3'd3 && (act_i[0] || !rests)) || keeps);
 
   logic [7:0] part;
   logic [7:0] spline_part;
   assign net_entry = spline_o ? spline_part[6+Splines:0] : part[6+Splines:0];
   always_comb begin
-    net_order = 4'd1;
-    case (act_i[1:0])
-      2'd0: begin
+    net_order   = 4'd1;
+    part        = serial_program_pkg::ExpandEntry;
+    spline_part = serial_program_pkg::SplineExpandEntry;
+    case (act_i)
+      3'd0: begin
         part        = serial_program_pkg::WeightsEntry;
         spline_part = serial_program_pkg::SplineLoadEntry;
         net_order   = 4'd2;
       end
-      2'd1: begin
+      3'd1: begin
         part        = serial_program_pkg::AngleEntry;
         spline_part = serial_program_pkg::SplineSeriesEntry;
       end
-      2'd2: begin
+      3'd2: begin
         part        = serial_program_pkg::StepEntry;
         spline_part = serial_program_pkg::SplineStepEntry;
         if (Splines != 0) net_order = 4'(Order);
       end
-      default: begin
-        part        = serial_program_pkg::ExpandEntry;
-        spline_part = serial_program_pkg::SplineExpandEntry;
-      end
+      3'd6:    spline_part = serial_program_pkg::SplineKeepEntry;
+      default: ;
     endcase
   end
 

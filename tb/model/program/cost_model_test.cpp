@@ -124,6 +124,9 @@ TEST(CostModel, SaysWhenItKnowsNothing) {
     CoreParameters parameters;
     EXPECT_FALSE(
         estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 1000, 0, 10, 0}));
+    EXPECT_TRUE(estimate(Core::kSpherical, parameters, *device_of("ecp5-25")));
+    parameters.networks = 0;
+    EXPECT_FALSE(estimate(Core::kSpherical, parameters, *device_of("ecp5-25")));
 }
 
 TEST(CostModel, SizeIsTheSumOfTheShares) {
