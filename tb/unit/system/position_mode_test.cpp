@@ -115,14 +115,13 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
     begin();
     Sample place{0, 5 * kUnitsPerStep, -7 * kUnitsPerStep};
     Sample speed{};
-    // The first sample is taken in the period in which it comes, or, behind the engine's programs,
-    // in the next one.
+    // The first sample is taken in the period in which it comes.
     while (host_.now() % kSystemPeriod != 0) host_.clock();
     for (int n = 0; n < 4000 && !HasFailure(); ++n) {
         while (room() == 0) host_.clocks(50);
         samples.push_back(place);
         ASSERT_TRUE(push(place));
-        if (n == 0) begins = host_.now() + (CFG_Build == 2 ? kSystemPeriod : 0);
+        if (n == 0) begins = host_.now();
         if (samples.size() > 20) host_.clocks(random_() % 800);
         for (int a = 0; a < kSystemAxes; ++a) {
             speed[a] += static_cast<int32_t>(random_() % 1001) - 500;
