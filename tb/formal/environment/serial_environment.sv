@@ -4,8 +4,8 @@
 // (rtl/curve_interpolator_serial.sv).
 //
 //   part      after the samples when all is quiet; a clock or more after the part before, six if it
-//             is the first of a segment or of a step (0, 2); 6, of splines alone, is that of
-//             rtl/serial/folded_steps.sv
+//             is the first of a segment or of a step (0, 2); 6, of splines alone and only behind 2,
+//             is that of rtl/serial/folded_steps.sv
 //   sample    six clocks or more after a part, or five after the last one that was taken, when its
 //             tau may be written; it stays until it is taken
 //   spline    changes when nothing is under way; a part comes before the next sample
@@ -78,12 +78,13 @@ module serial_environment #(
   logic       busy_q;
   logic       ran_q;  // a part, for segments of this kind
   logic       sampled_q;  // since the last part
+  logic       stepped_q;  // the last part was 2
   logic [2:0] rest_q;
   logic       rests;
   logic       between;
   logic       keeps;
   assign rests       = rest_q != 3'd0;
-  assign keeps       = act_i == 3'd6 && spline_o;
+  assign keeps       = act_i == 3'd6 && spline_o && stepped_q;
   assign between     = !net_busy_o && !busy_q && !sample_o && (quiet_o || !sampled_q);
   assign net_start_o = between && ((act_i <= 3'd3 && (act_i[0] || !rests)) || keeps);
 
@@ -119,6 +120,7 @@ module serial_environment #(
       busy_q    <= 1'b0;
       ran_q     <= 1'b0;
       sampled_q <= 1'b0;
+      stepped_q <= 1'b0;
       rest_q    <= 3'd0;
       spline_o  <= 1'b0;
       sample_o  <= 1'b0;
@@ -126,6 +128,7 @@ module serial_environment #(
     end else begin
       busy_q <= net_busy_o;
       if (net_start_o) ran_q <= 1'b1;
+      if (net_start_o) stepped_q <= act_i == 3'd2;
       if (between && act_i == 3'd5) begin
         ran_q    <= 1'b0;
         spline_o <= Splines != 0 && !spline_o;
