@@ -104,7 +104,7 @@ module motion_system #(
   logic [ScaleBits-1:0] scale;
   logic segment_valid, segment_ready, profile_valid, profile_ready, position_write, position_ready;
   logic [47:0] register_word;
-  logic control_write, control_ready, state_write, reference_write, reference_ready;
+  logic control_asked, control_write, control_ready, state_write, reference_write, reference_ready;
   logic scale_write, probe_write, homed_write, note_ready, setting_read;
   logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
   logic [63:0] path;
@@ -152,6 +152,7 @@ module motion_system #(
       .motion_word_o(register_word),
       .sample_valid_o(position_write),
       .sample_ready_i(position_ready),
+      .control_asked_o(control_asked),
       .control_write_o(control_write),
       .control_ready_i(control_ready),
       .state_write_o(state_write),
@@ -179,8 +180,7 @@ module motion_system #(
   );
 
   // Permissions
-  logic words, positions;  // they may be taken
-  logic hold, ends, empty, begins, active, standing, underrun;
+  logic hold, ends, empty, begins, active, standing, underrun, words, positions;
   logic [7:0] motion_fault;
   logic [Axes*FineBits-1:0] sample;
   logic [FineBits-1:0] position;
@@ -195,6 +195,7 @@ module motion_system #(
   ) u_state (
       .clk_i,
       .rst_ni,
+      .control_asked_i(control_asked),
       .control_write_i(control_write),
       .control_ready_o(control_ready),
       .state_write_i(state_write),

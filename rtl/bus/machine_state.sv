@@ -18,6 +18,7 @@ module machine_state #(
     input wire logic rst_ni,
 
     // Registers
+    input  wire logic            control_asked_i,    // ready or not
     input  wire logic            control_write_i,
     output logic                 control_ready_o,
     input  wire logic            state_write_i,
@@ -126,7 +127,7 @@ module machine_state #(
   assign stopped = (faults_q & (Stops | stop_mask)) != '0 || estop_i || limit_i != '0;
   assign asks = command_i[registers_pkg::ControlEnableLow];
   assign may_enable = enable_o ? clean || asks_position == position_o : (!stopped && empty_q);
-  assign turned_off = stops || (control_write_i && !asks && enable_o);
+  assign turned_off = stops || (control_asked_i && !asks && enable_o);
   assign control_ready_o = !asks || may_enable;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || stops) enable_o <= 1'b0;

@@ -73,6 +73,7 @@ module register_file #(
     input  wire logic sample_ready_i,
 
     // Commands, with the written word
+    output logic             control_asked_o,    // ready or not
     output logic             control_write_o,
     input  wire logic        control_ready_i,
     output logic             state_write_o,
@@ -115,8 +116,9 @@ module register_file #(
   logic filled;
   logic works_q;
   logic works;
+  logic write_q;
   assign filled = fill_q[7];
-  assign works  = works_q && !(read_i && write_i);
+  assign works  = works_q && !(read_i && write_q);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fill_q  <= '0;
@@ -150,7 +152,6 @@ module register_file #(
   end
   logic of_axis_q;
   logic exists_q;
-  logic write_q;
   logic [6:0] word_q;
   logic [1:0] axis_word;
   assign axis_word    = word_q[1:0];
@@ -186,7 +187,8 @@ module register_file #(
   assign segment_valid_o   = works && write_q && word_q == registers_pkg::SegmentHi;
   assign profile_valid_o   = works && write_q && word_q == registers_pkg::ProfileHi;
   assign sample_valid_o    = works && write_q && word_q == registers_pkg::Sample;
-  assign control_write_o   = writes && word_q == registers_pkg::Control && control_ready_i;
+  assign control_asked_o   = writes && word_q == registers_pkg::Control;
+  assign control_write_o   = control_asked_o && control_ready_i;
   assign state_write_o     = writes && word_q == registers_pkg::State;
   assign reference_write_o = writes && word_q == registers_pkg::Reference && reference_ready_i;
   assign probe_write_o     = writes && word_q == registers_pkg::Probe;
@@ -196,8 +198,9 @@ module register_file #(
   logic [31:0] override_reset;
   assign override_reset = registers_pkg::reset_value(registers_pkg::Override);
   logic [31:0] slope_q;
+  logic slope_is_0_q;
   logic [28:0] stop_ticks_q;
-  assign hold_slope_o = {slope_q == '0, slope_q};
+  assign hold_slope_o = {slope_is_0_q, slope_q};
   assign stop_ticks_o = {3'd0, stop_ticks_q};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -206,6 +209,7 @@ module register_file #(
       samples_per_tick_log2_o                                 <= '0;
       hold_acceleration_o                                     <= '0;
       slope_q                                                 <= '0;
+      slope_is_0_q                                            <= 1'b1;
       stop_ticks_q                                            <= '0;
       digest_o                                                <= '0;
       {stepspace_o, steplen_o}                                <= '0;
@@ -217,7 +221,10 @@ module register_file #(
         registers_pkg::Watchdog:         watchdog_o <= data_i[15:0];
         registers_pkg::Timing:           samples_per_tick_log2_o <= data_i[3:0];
         registers_pkg::HoldAcceleration: hold_acceleration_o <= data_i;
-        registers_pkg::HoldSlope:        slope_q <= data_i;
+        registers_pkg::HoldSlope: begin
+          slope_q      <= data_i;
+          slope_is_0_q <= data_i == '0;
+        end
         registers_pkg::StopTicks:        stop_ticks_q <= data_i[28:0];
         registers_pkg::Digest:           digest_o <= data_i[15:0];
         registers_pkg::Pulse: begin
@@ -293,7 +300,7 @@ module register_file #(
   // Settings: STOP_TICKS has 29 bits, and of HOLD_SLOPE 0 is 2^32.
   logic stop_ticks_is_read_q;
   always_ff @(posedge clk_i) stop_ticks_is_read_q <= read_word_i == registers_pkg::StopTicks;
-  assign setting_o = {kept_q == '0, stop_ticks_is_read_q ? 3'd0 : kept_q[31:29], kept_q[28:0]};
+  assign setting_o = {slope_is_0_q, stop_ticks_is_read_q ? 3'd0 : kept_q[31:29], kept_q[28:0]};
 
   // Answers
   typedef enum logic [2:0] {

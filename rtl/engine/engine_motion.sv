@@ -133,7 +133,7 @@ module engine_motion #(
 
   // Engine
   logic [12:0] conditions;
-  logic in_valid, out_valid;
+  logic in_next, in_valid, out_valid;
   logic [4:0] in_port, out_port;
   logic [1:0] in_limb, out_limb;
   logic [15:0] in_data, out_data;
@@ -155,6 +155,7 @@ module engine_motion #(
       .late_o      (unused_late),
       .changed_o   (changed),
       .conditions_i(conditions),
+      .in_next_o   (in_next),
       .in_valid_o  (in_valid),
       .in_port_o   (in_port),
       .in_limb_o   (in_limb),
@@ -274,49 +275,43 @@ module engine_motion #(
   // register is written either.
   logic of_scale;
   assign of_scale = in_port == InScaleLow || in_port == InScaleHigh;
-  assign setting_read_o = in_valid && in_port >= InSettings;
+  always_ff @(posedge clk_i) setting_read_o <= in_next && in_port >= InSettings;
   assign setting_word_o = of_scale ? {1'b1, axis_i, 1'b0, in_port == InScaleHigh} : {2'd0, in_port};
 
-  // Its digits, of the bits that it has: which, a clock ahead
+  // Answers, two clocks behind their question: what they are made of is chosen a clock ahead, from
+  // registers the digits of the bits that they have.
+  logic store_q, word_q, check_q, references_q, digest_q;
+  logic [2:0] position_q;
   logic [15:0] first_q, second_q, third_q;
-  logic digest_q;
-  logic [15:0] setting_limb;
+  logic of_register;
+  assign of_register = setting_read_o && in_port != InPosition && in_port != InReferences;
   always_ff @(posedge clk_i) begin
-    first_q  <= {setting_word_o == registers_pkg::Digest, {15{in_limb == 2'd0}}};
-    second_q <= {1'b0, {15{in_limb == 2'd1}}};
-    third_q  <= {13'd0, setting_word_o == registers_pkg::HoldSlope, 2'b11} & {16{in_limb[1]}};
+    store_q <= in_port == InMemory;
+    word_q <= in_port == InWord;
+    check_q <= in_port == InCheck;
+    references_q <= in_port == InReferences;
+    position_q <= (in_port == InPosition) ? {in_limb[1], in_limb == 2'd1, in_limb == 2'd0} : '0;
+    digest_q <= of_register && setting_word_o == registers_pkg::Digest;
+    first_q <= {setting_word_o == registers_pkg::Digest, 15'h7fff} &
+        {16{of_register && in_limb == 2'd0}};
+    second_q <= {1'b0, {15{of_register && in_limb == 2'd1}}};
+    third_q <= {13'd0, setting_word_o == registers_pkg::HoldSlope, 2'b11} &
+        {16{of_register && in_limb[1]}};
     if (setting_word_o == registers_pkg::Timing) first_q[14:4] <= '0;
     if (setting_word_o == registers_pkg::Override) second_q[14:2] <= '0;
-    digest_q <= setting_word_o == registers_pkg::Digest;
   end
-  assign setting_limb = (first_q & setting_i[15:0]) | (second_q & {1'b0, setting_i[29:15]}) |
-      (third_q & {13'd0, setting_i[32:30]});
-
-  // Answers, two clocks behind their question
-  logic [ 4:0] port_q;
-  logic [ 1:0] limb_q;
-  logic [15:0] position_limb;
-  logic [13:0] references;
+  logic [15:0] setting_limb, position_limb, references;
+  assign setting_limb = ((first_q & setting_i[15:0]) | (second_q & {1'b0, setting_i[29:15]}) |
+      (third_q & {13'd0, setting_i[32:30]})) ^ ({16{digest_q}} & digest_i);
+  assign position_limb = ({16{position_q[0]}} & {1'b0, position_i[14:0]}) |
+      ({16{position_q[1]}} & {1'b0, position_i[29:15]}) |
+      ({16{position_q[2]}} & {{14{position_i[31]}}, position_i[31:30]});
   for (genvar axis = 0; axis < 9; axis++) assign references[13-axis] = references_i[axis];
-  assign references[4:0] = '0;
-  always_comb begin
-    case (limb_q)
-      2'd0: position_limb = {1'b0, position_i[14:0]};
-      2'd1: position_limb = {1'b0, position_i[29:15]};
-      default: position_limb = {{14{position_i[31]}}, position_i[31:30]};
-    endcase
-  end
+  assign references[15:14] = '0;
+  assign references[4:0]   = '0;
   always_ff @(posedge clk_i) begin
-    port_q <= in_port;
-    limb_q <= in_limb;
-    case (port_q)
-      InMemory: in_data <= store_limb;
-      InWord: in_data <= word_limb;
-      InCheck: in_data <= check;
-      InPosition: in_data <= position_limb;
-      InReferences: in_data <= {2'd0, references};
-      default: in_data <= setting_limb ^ (digest_i & {16{digest_q}});
-    endcase
+    in_data <= ({16{store_q}} & store_limb) | ({16{word_q}} & word_limb) |
+        ({16{check_q}} & check) | ({16{references_q}} & references) | position_limb | setting_limb;
   end
 
   // A bound for invalid words and programs: a sample of a program comes, or this count is up.

@@ -3,6 +3,7 @@
 //
 //   clock        0            1       3        4         5
 //   term         last of a column
+//   asks_o       of IN
 //   ask_o                     of IN
 //   answer_i                          limb
 //   sum_i                                      its sum
@@ -31,6 +32,7 @@ module engine_result (
     input wire logic signed [33:0] sum_i,
     input wire logic        [15:0] answer_i,
 
+    output logic        asks_o,      // ask_o of the next clock
     output logic        ask_o,
     output logic        write_o,
     output logic [ 2:0] limb_o,      // the one that is written
@@ -52,6 +54,7 @@ module engine_result (
     limb_q[0] <= limb_i;
     for (int n = 1; n < 4; n = n + 1) limb_q[n] <= limb_q[n-1];
   end
+  assign asks_o  = rst_ni && kept && in_i;
   assign ask_o   = write_q[0] && in_i;
   assign asked_o = limb_q[0];
   assign write_o = write_q[3];

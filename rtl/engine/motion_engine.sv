@@ -31,6 +31,7 @@ module motion_engine #(
     output logic      changed_o,
 
     input  wire logic [12:0] conditions_i,  // 3 to 15
+    output logic             in_next_o,     // in_valid_o of the next clock
     output logic             in_valid_o,
     output logic      [ 4:0] in_port_o,
     output logic      [ 1:0] in_limb_o,
@@ -265,6 +266,7 @@ module motion_engine #(
       .last_column_i(last_column),
       .sum_i        (column_total),
       .answer_i     (answer),
+      .asks_o       (in_next_o),
       .ask_o        (in_valid_o),
       .write_o      (write),
       .limb_o       (written_limb),

@@ -81,6 +81,7 @@ module machine_state_formal (
   ) u_dut (
       .clk_i,
       .rst_ni,
+      .control_asked_i(write_i && where_i == 2'd0),
       .control_write_i(control),
       .control_ready_o(control_ready),
       .state_write_i(state_write),

@@ -9,8 +9,8 @@
 // control: NOTES_WHEN_IDLE s/(!valid_i || done_o ||/(!valid_i ||/
 // control: NOTES_WAIT_FOR_PROGRAMS s/ || (read_i \&\& !works))/)/
 // control: PUSHES_LONG s/works \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
-// control: MEETS_PROGRAMS s/works_q \&\& !(read_i \&\& write_i)/works_q/
-// control: READS_WAIT_TWICE s/(read_i \&\& write_i)/read_i/
+// control: MEETS_PROGRAMS s/works_q \&\& !(read_i \&\& write_q)/works_q/
+// control: READS_WAIT_TWICE s/(read_i \&\& write_q)/read_i/
 `default_nettype none
 module register_file_formal (
     input wire logic       clk_i,
