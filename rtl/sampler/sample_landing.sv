@@ -47,7 +47,7 @@ module sample_landing #(
 
   localparam int FineBits = PositionBits + GuardBits;
   localparam int Shared = (Axes <= SampleInterval) ? 1 : 0;
-  localparam int Words = (Shared != 0) ? Axes : 1;  // of a sample in the queue
+  localparam int Words = (Shared != 0) ? Axes : 1;  // words that a sample is in the queue
   localparam int WordBits = (Shared != 0) ? FineBits : Axes * FineBits;
 
   logic [4:0] down;
