@@ -132,7 +132,7 @@ module motion_interpolator #(
     logic [31:0] out;
     logic [ 1:0] unused_limb;
     logic [15:0] data;
-    logic unused_scale_last, unused_setting_read;
+    logic unused_scale_last, unused_setting_next;
     logic [15:0] unused_segment_room, unused_profile_room;
     logic [ 6:0] setting_word;
     logic [16:0] override_q;
@@ -165,7 +165,7 @@ module motion_interpolator #(
         .clk_i,
         .rst_ni,
         .digest_i,
-        .setting_read_o(unused_setting_read),
+        .setting_next_o(unused_setting_next),
         .setting_word_o(setting_word),
         .setting_i(setting_q),
         .segment_valid_i,

@@ -83,7 +83,6 @@ module motion_system #(
   initial if (Build == 2 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
-
   // Registers
   localparam int Capability = system_pkg::capability(
       Axes, PeriodLog2, Build, Splines, Encoders
@@ -105,7 +104,7 @@ module motion_system #(
   logic segment_valid, segment_ready, profile_valid, profile_ready, position_write, position_ready;
   logic [47:0] register_word;
   logic control_asked, control_write, control_ready, state_write, reference_write, reference_ready;
-  logic scale_write, probe_write, homed_write, note_ready, setting_read;
+  logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next;
   logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
   logic [63:0] path;
   logic [6:0] note_word, kept_word, setting_word;
@@ -174,7 +173,8 @@ module motion_system #(
       .note_data_i(note_data),
       .kept_word_i(kept_word),
       .kept_o(kept),
-      .read_i(setting_read),
+      .kept_ready_o(kept_ready),
+      .read_next_i(setting_next),
       .read_word_i(setting_word),
       .setting_o(setting)
   );
@@ -264,7 +264,7 @@ module motion_system #(
       .word_i,
       .kept_word_o(kept_word),
       .kept_i(kept),
-      .read_i(setting_read),
+      .kept_ready_i(kept_ready),
       .step_counts_i(step_counts),
       .referenced_i(referenced),
       .encoder_o(encoder),
@@ -321,7 +321,7 @@ module motion_system #(
       .hold_acceleration_i(hold_acceleration),
       .hold_slope_i(hold_slope),
       .stop_ticks_i(stop_ticks),
-      .setting_read_o(setting_read),
+      .setting_next_o(setting_next),
       .setting_word_o(setting_word),
       .setting_i(setting),
       .ends_i(ends),

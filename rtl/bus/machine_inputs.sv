@@ -36,7 +36,7 @@ module machine_inputs #(
     input  wire logic [ 6:0] word_i,        // word of the request
     output logic      [ 6:0] kept_word_o,
     input  wire logic [31:0] kept_i,
-    input  wire logic        read_i,        // programs read a word in this clock
+    input  wire logic        kept_ready_i,  // a word is read, not by programs
 
     // Axes: rtl/bus/following_error.sv
     input  wire logic [2*Axes-1:0] step_counts_i,
@@ -100,7 +100,7 @@ module machine_inputs #(
     always_ff @(posedge clk_i) works_q <= rst_ni && (works_q || note_ready_i);
     logic slot;
     logic write;
-    assign slot = note_ready_i && !catches && !read_i;
+    assign slot = note_ready_i && !catches && kept_ready_i;
     assign follows = slot && write;
     following_error #(
         .Axes(Axes)
@@ -132,8 +132,8 @@ module machine_inputs #(
     assign following_o  = 1'b0;
     assign fault_axis_o = '0;
     logic unused;
-    assign unused = &{1'b0, encoder_a_i, encoder_b_i, kept_i, read_i, step_counts_i, referenced_i,
-                      catches};
+    assign unused = &{1'b0, encoder_a_i, encoder_b_i, kept_i, kept_ready_i, step_counts_i,
+                      referenced_i, catches};
   end
 
 endmodule

@@ -53,7 +53,7 @@ module paced_motion #(
     input wire logic [31:0] stop_ticks_i,
 
     // .. and with Build 2 instead of these settings what asks for them: rtl/engine/engine_motion.sv
-    output logic             setting_read_o,
+    output logic             setting_next_o,
     output logic      [ 6:0] setting_word_o,
     input  wire logic [32:0] setting_i,
 
@@ -160,7 +160,7 @@ module paced_motion #(
         .clk_i,
         .rst_ni(work),
         .digest_i,
-        .setting_read_o,
+        .setting_next_o,
         .setting_word_o,
         .setting_i,
         .segment_valid_i(segment_valid),
@@ -310,7 +310,7 @@ module paced_motion #(
     );
     assign axis_o = '0;
     assign rates_o = '0;
-    assign setting_read_o = 1'b0;
+    assign setting_next_o = 1'b0;
     assign setting_word_o = '0;
     logic unused;
     assign unused = &{1'b0, setting_i, off_i, reference_i, by_host_i, position_i, rates_read_i};

@@ -96,13 +96,15 @@ module register_file #(
     // Notes: the new value of a word; in the same clock another word is read, and is there in the
     // next one
     output logic             note_ready_o,
+    output logic             kept_ready_o,  // a word is read, not by programs
     input  wire logic [ 6:0] note_word_i,
     input  wire logic [31:0] note_data_i,
     input  wire logic [ 6:0] kept_word_i,
     output logic      [31:0] kept_o,
 
-    // Programs: a word, and a clock later what it says: of HOLD_SLOPE bit 32, too
-    input  wire logic        read_i,
+    // Programs: they read in the next clock; there a word, and a clock later what it says, of
+    // HOLD_SLOPE bit 32, too
+    input  wire logic        read_next_i,
     input  wire logic [ 6:0] read_word_i,
     output logic      [32:0] setting_o
 );
@@ -115,19 +117,19 @@ module register_file #(
   logic [7:0] fill_q;  // words of the memory that have their reset value: up to 2^7
   logic filled;
   logic works_q;
-  logic works;
+  logic read_q;  // programs read
   logic write_q;
   assign filled = fill_q[7];
-  assign works  = works_q && !(read_i && write_q);
   always_ff @(posedge clk_i) begin
+    read_q <= read_next_i;
     if (!rst_ni) begin
       fill_q  <= '0;
       works_q <= 1'b0;
       done_o  <= 1'b0;
     end else begin
       if (!filled) fill_q <= fill_q + 1'b1;
-      works_q <= filled && valid_i && !works && !done_o && !read_i;
-      done_o  <= works;
+      works_q <= filled && valid_i && !works_q && !done_o && !read_q && !(read_next_i && write_i);
+      done_o  <= works_q;
     end
   end
 
@@ -176,7 +178,7 @@ module register_file #(
       default:                  taken = 1'b1;
     endcase
   end
-  assign writes = works && write_q && exists_q;
+  assign writes = works_q && write_q && exists_q;
 
   // Words to be pushed: the low part is read from the memory.
   logic [31:0] kept_q;
@@ -184,9 +186,9 @@ module register_file #(
   assign scale_o           = {data_i[ScaleBits-33:0], kept_q};
   assign command_o         = data_i;
   assign scale_write_o     = writes && of_axis_q && axis_word == registers_pkg::AxisScaleHi;
-  assign segment_valid_o   = works && write_q && word_q == registers_pkg::SegmentHi;
-  assign profile_valid_o   = works && write_q && word_q == registers_pkg::ProfileHi;
-  assign sample_valid_o    = works && write_q && word_q == registers_pkg::Sample;
+  assign segment_valid_o   = works_q && write_q && word_q == registers_pkg::SegmentHi;
+  assign profile_valid_o   = works_q && write_q && word_q == registers_pkg::ProfileHi;
+  assign sample_valid_o    = works_q && write_q && word_q == registers_pkg::Sample;
   assign control_asked_o   = writes && word_q == registers_pkg::Control;
   assign control_write_o   = control_asked_o && control_ready_i;
   assign state_write_o     = writes && word_q == registers_pkg::State;
@@ -253,7 +255,8 @@ module register_file #(
   logic keeps;  // what belongs to PATH_LO, which is read
   logic [6:0] address;
   logic [31:0] data;
-  assign note_ready_o = filled && (!valid_i || done_o || (read_i && !works));
+  assign kept_ready_o = !read_q;
+  assign note_ready_o = filled && (!valid_i || done_o || (read_q && !works_q));
   always_comb begin
     fills = !filled;
     fill_data = registers_pkg::reset_value(fill_q[6:0]);
@@ -268,7 +271,7 @@ module register_file #(
   always_comb begin
     if (!filled) {address, data} = {fill_q[6:0], fill_data};
     else if (note_ready_o) {address, data} = {note_word_i, note_data_i};
-    else if (keeps && works) {address, data} = {registers_pkg::PathHi, path_i[63:32]};
+    else if (keeps && works_q) {address, data} = {registers_pkg::PathHi, path_i[63:32]};
     else if (keeps) {address, data} = {registers_pkg::Rate, 15'd0, rate_i};
     else {address, data} = {word_i, data_i};
     if (address == registers_pkg::ProfileLo) address = registers_pkg::SegmentLo;
@@ -288,7 +291,7 @@ module register_file #(
   logic [6:0] read_address;
   assign kept_o = kept_q;
   always_comb begin
-    if (read_i) read_address = read_word_i;
+    if (read_q) read_address = read_word_i;
     else if (note_ready_o) read_address = kept_word_i;
     else read_address = {word_i[6:2], write_i ? 2'd0 : word_i[1:0]};
   end
@@ -337,7 +340,7 @@ module register_file #(
     endcase
   end
   always_ff @(posedge clk_i) begin
-    if (works) begin
+    if (works_q) begin
       error_o <= !exists_q || (write_q && !taken);
       data_o  <= answer;
     end

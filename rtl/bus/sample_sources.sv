@@ -66,7 +66,7 @@ module sample_sources #(
     input wire logic [31:0] stop_ticks_i,
 
     // .. and of Build 2: rtl/bus/paced_motion.sv
-    output logic             setting_read_o,
+    output logic             setting_next_o,
     output logic      [ 6:0] setting_word_o,
     input  wire logic [32:0] setting_i,
 
@@ -159,7 +159,7 @@ module sample_sources #(
       .hold_acceleration_i,
       .hold_slope_i,
       .stop_ticks_i,
-      .setting_read_o,
+      .setting_next_o,
       .setting_word_o,
       .setting_i,
       .ends_i,

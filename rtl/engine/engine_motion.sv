@@ -4,10 +4,10 @@
 //
 //   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> out_o
 //
-//   clock             0            1
-//   setting_read_o    1
-//   setting_word_o    a register
-//   setting_i                      what it says
+//   clock             0      1            2
+//   setting_next_o    1
+//   setting_word_o           a register
+//   setting_i                             what it says
 //
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
 // the assembler makes for these parameters. A program says first what it is made for: fault_o[7] is
@@ -41,7 +41,7 @@ module engine_motion #(
     // Settings and scales, as the registers have them (rtl/bus/register_file.sv), in digits of 15
     // bits in clocks that follow each other. DIGEST is that of words beside digest_i.
     input  wire logic [15:0] digest_i,
-    output logic             setting_read_o,
+    output logic             setting_next_o,
     output logic      [ 6:0] setting_word_o,
     input  wire logic [32:0] setting_i,
 
@@ -275,7 +275,7 @@ module engine_motion #(
   // register is written either.
   logic of_scale;
   assign of_scale = in_port == InScaleLow || in_port == InScaleHigh;
-  always_ff @(posedge clk_i) setting_read_o <= in_next && in_port >= InSettings;
+  assign setting_next_o = in_next && in_port >= InSettings;
   assign setting_word_o = of_scale ? {1'b1, axis_i, 1'b0, in_port == InScaleHigh} : {2'd0, in_port};
 
   // Answers, two clocks behind their question: what they are made of is chosen a clock ahead, from
@@ -284,7 +284,8 @@ module engine_motion #(
   logic [2:0] position_q;
   logic [15:0] first_q, second_q, third_q;
   logic of_register;
-  assign of_register = setting_read_o && in_port != InPosition && in_port != InReferences;
+  assign of_register = in_valid && in_port >= InSettings && in_port != InPosition &&
+      in_port != InReferences;
   always_ff @(posedge clk_i) begin
     store_q <= in_port == InMemory;
     word_q <= in_port == InWord;

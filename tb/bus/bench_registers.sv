@@ -44,7 +44,8 @@ module bench_registers (
       .note_data_i(32'd0),
       .kept_word_i(word_i),
       .kept_o(),
-      .read_i(1'b0),
+      .kept_ready_o(),
+      .read_next_i(1'b0),
       .read_word_i(7'd0),
       .setting_o()
   );

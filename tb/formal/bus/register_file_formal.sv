@@ -3,14 +3,14 @@
 // 2^7 more, or where programs read, in one more besides those clocks; a push is taken once, or is
 // an error, and not while programs read; a note waits for two clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
-// control: ANSWERS_TWICE s/ && !done_o \&\& !read_i/ \&\& !read_i/
+// control: ANSWERS_TWICE s/ && !done_o \&\& !read_q/ \&\& !read_q/
 // control: NO_RESET s/works_q <= 1'b0;//
 // control: TAKES_QUIETLY s/(write_q && !taken)/1'b0/
 // control: NOTES_WHEN_IDLE s/(!valid_i || done_o ||/(!valid_i ||/
-// control: NOTES_WAIT_FOR_PROGRAMS s/ || (read_i \&\& !works))/)/
-// control: PUSHES_LONG s/works \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
-// control: MEETS_PROGRAMS s/works_q \&\& !(read_i \&\& write_q)/works_q/
-// control: READS_WAIT_TWICE s/(read_i \&\& write_q)/read_i/
+// control: NOTES_WAIT_FOR_PROGRAMS s/ || (read_q \&\& !works_q))/)/
+// control: PUSHES_LONG s/works_q \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
+// control: MEETS_PROGRAMS s/ \&\& !(read_next_i \&\& write_i)//
+// control: READS_WAIT_TWICE s/(read_next_i \&\& write_i)/read_next_i/
 `default_nettype none
 module register_file_formal (
     input wire logic       clk_i,
@@ -24,7 +24,7 @@ module register_file_formal (
     input wire logic       control_ready_i,
     input wire logic       reference_ready_i,
     input wire logic       off_i,
-    input wire logic       read_i
+    input wire logic       read_next_i
 );
 
   // A shell: a request stays until it is done.
@@ -74,14 +74,16 @@ module register_file_formal (
       .note_word_i(7'd0),
       .note_data_i(32'd0),
       .kept_word_i(7'd0),
-      .read_i,
+      .read_next_i,
       .read_word_i(7'd0)
   );
 
   logic started_q = 1'b0;
   logic [7:0] since_q;  // clocks since the reset, 2^7 at most
   logic [1:0] waited_q;  // clocks of the request in which programs do not read
-  logic [1:0] read_q;  // they read in the clock before, and in that before it
+  logic read;  // they read, they read in the clock before, and in that before it
+  logic [2:0] read_q;
+  assign read = read_q[0];
   logic [1:0] since_asked_q;  // all of them, 2 at most
   logic undisturbed_q;  // programs did not read since it was asked
   logic [1:0] notes_wait_q;  // clocks
@@ -97,9 +99,9 @@ module register_file_formal (
     if (!rst_ni) since_q <= '0;
     else if (!since_q[7]) since_q <= since_q + 1'b1;
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
-    else if (!read_i) waited_q <= waited_q + 1'b1;
-    read_q <= {read_q[0], read_i};
-    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read_i);
+    else if (!read) waited_q <= waited_q + 1'b1;
+    read_q <= {read_q[1:0], read_next_i};
+    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read);
     if (!rst_ni || !valid_q || done || !since_q[7]) since_asked_q <= '0;
     else if (!since_asked_q[1]) since_asked_q <= since_asked_q + 1'b1;
     if (!rst_ni || note_ready || !since_q[7]) notes_wait_q <= '0;
@@ -115,13 +117,13 @@ module register_file_formal (
 
   always_comb begin
     if (!started_q) assume (!rst_ni);
-    if (read_q == 2'b10) assume (!read_i);  // programs leave two clocks
+    if (read_q[2:1] == 2'b10) assume (!read);  // programs leave two clocks
     if (started_q && rst_ni) begin
       In_time : assert (!(valid_q && !done && waited_q == 2'd3));
       At_once : assert (!(valid_q && !done && waited_q == 2'd2 && (undisturbed_q || !write_q)));
       Only_asked : assert (!done || valid_q);
       Not_sooner : assert (!done || since_asked_q == 2'd2);
-      Undisturbed : assert (!(push && read_i));
+      Undisturbed : assert (!(push && read));
       Push_asked : assert (!push || (valid_q && write_q && !done));
       Pushed_once : assert (!(push && (pushed_q || refused_q)));
       Refused_is_error : assert (!(done && refused_q && !error));

@@ -72,7 +72,7 @@ class RegisterFile : public testing::Test {
         }
         dut_.limit_cycles(UINT64_MAX);
         dut_->valid_i = 0;
-        dut_->read_i = 0;
+        dut_->read_next_i = 0;
         live();
         dut_.reset();
     }
@@ -102,6 +102,7 @@ class RegisterFile : public testing::Test {
 
     /// Begins to read a setting, if none was read in the clock before.
     void read_settings() {
+        reads_ = dut_->read_next_i != 0;
         constexpr int kRead[] = {9, 11, 12, 13, 14, 19};  // OVERRIDE .. STOP_TICKS, DIGEST
         if (reads_left_ > 0) {
             --reads_left_;
@@ -113,7 +114,7 @@ class RegisterFile : public testing::Test {
             dut_->read_word_i = static_cast<unsigned>(kRead[any() % 6]);
             read_.reset();
         }
-        dut_->read_i = reads_left_ > 0;
+        dut_->read_next_i = reads_left_ > 0;
     }
     /// Compares what programs read: it is as it was, or as it is being written, and stays.
     void check_read() {
@@ -158,7 +159,7 @@ class RegisterFile : public testing::Test {
         if (dut_->probe_write_o) happened("PROBE");
         if (dut_->homed_write_o) happened("HOMED");
         dut_.tick();
-        if (dut_->read_i) {
+        if (reads_) {
             check_read();
         } else if (notes && kept != dut_->note_word_i) {  // one that is noted now is not read
             EXPECT_EQ(dut_->kept_o, kept_value);
@@ -195,7 +196,7 @@ class RegisterFile : public testing::Test {
         while (!dut_->done_o && clocks < 1000) {
             clock();
             ++clocks;
-            reads += dut_->read_i;
+            reads += reads_ ? 1 : 0;
         }
         const Answer answer{dut_->error_o != 0, dut_->data_o, clocks, reads};
         clock();
@@ -270,6 +271,7 @@ class RegisterFile : public testing::Test {
     std::set<uint32_t> noted_now_;      // of the word that is asked for
     std::map<int, uint32_t> settings_;  // that programs may read; none: they do not
     std::optional<uint64_t> read_;      // in the clocks before this one
+    bool reads_ = false;                // they read
     int reads_left_ = 0;
     int pause_ = 0;
     uint64_t motion_word_ = 0;
