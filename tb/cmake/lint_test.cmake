@@ -55,7 +55,7 @@ function(add_lint_tests)
     string(REPLACE "/" "." name ${tree})
     lint_test(${name}.tidy ${PROJECT_SOURCE_DIR}/tb/lint/clang_tidy.sh ${CLANG_TIDY}
               ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/${tree})
-    set_tests_properties(lint.${name}.tidy PROPERTIES PROCESSORS 2 COST 1000)
+    set_tests_properties(lint.${name}.tidy PROPERTIES PROCESSORS 2 COST 1000 TIMEOUT 7200)
   endforeach()
   lint_test(files.curvecore.f.elaborates ${VERILATOR} --lint-only -Wall ${lint_waivers}
             -F ${PROJECT_SOURCE_DIR}/rtl/curvecore.f --top-module motion_interpolator)
