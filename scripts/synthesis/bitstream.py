@@ -99,10 +99,10 @@ def place(board, tools, work, folder, seeds, minutes):
             explain_fit(board, text, error)
         report = json.loads((work / "report.json").read_text())
         check_clock(board, {clock["constraint"] for clock in report["fmax"].values()})
-        reached[seed] = round(placement.frequency(tools.family, report, log), 1)
+        reached[seed] = placement.frequency(tools.family, report, log)
         if reached[seed] >= wanted:
-            return {"fmax_mhz": reached[seed], "seed": seed}
-    raise Refused(f"{max(reached.values())} MHz is less than its clock of"
+            return {"fmax_mhz": round(reached[seed], 1), "seed": seed}
+    raise Refused(f"{max(reached.values()):g} MHz is less than its clock of"
                   f" {wanted:g} MHz (best of {seeds})")
 
 
