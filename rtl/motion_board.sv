@@ -12,6 +12,7 @@ module motion_board #(
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0 series, 1 polynomial
     parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
+    parameter int Networks          = 1,     // 1, and with Build 0 0: rtl/motion_interpolator.sv
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -87,6 +88,7 @@ module motion_board #(
       .Splines(Splines),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
+      .Networks(Networks),
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),

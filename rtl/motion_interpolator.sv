@@ -132,7 +132,8 @@ module motion_interpolator #(
     logic [31:0] out;
     logic [ 1:0] unused_limb;
     logic [15:0] data;
-    logic unused_scale_last, unused_setting_next;
+    logic unused_scale_last, unused_setting_next, unused_path_changes;
+    assign path_o[63:61] = '0;
     logic [15:0] unused_segment_room, unused_profile_room;
     logic [ 6:0] setting_word;
     logic [16:0] override_q;
@@ -196,7 +197,8 @@ module motion_interpolator #(
         .path_ds_o,
         .path_rate_o,
         .path_active_o,
-        .path_o,
+        .path_o(path_o[60:0]),
+        .path_changes_o(unused_path_changes),
         .active_o,
         .underrun_o,
         .killed_o,

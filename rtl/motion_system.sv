@@ -31,6 +31,7 @@ module motion_system #(
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0 series, 1 polynomial
     parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
+    parameter int Networks          = 1,     // 1, and with Build 0 0: rtl/motion_interpolator.sv
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -81,6 +82,7 @@ module motion_system #(
 );
 
   initial if (Build == 2 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
+  initial if (Build != 0 && Networks != 1) $fatal(1, "Build %0d works with Networks 1 only", Build);
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
   // Registers
@@ -107,6 +109,7 @@ module motion_system #(
   logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next;
   logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
   logic [63:0] path;
+  logic path_changes;
   logic [6:0] note_word, kept_word, setting_word;
   register_file #(
       .Axes      (Axes),
@@ -166,6 +169,7 @@ module motion_system #(
       .samples_i(samples),
       .path_i(path),
       .rate_i(rate),
+      .path_changes_i(path_changes),
       .steps_axis_o(steps_axis),
       .steps_i(steps),
       .note_ready_o(note_ready),
@@ -258,6 +262,7 @@ module motion_system #(
       .caught_o(caught),
       .steps_i(steps),
       .path_i(path[47:16]),
+      .path_changes_i(path_changes),
       .note_ready_i(note_ready),
       .note_word_o(note_word),
       .note_data_o(note_data),
@@ -283,6 +288,7 @@ module motion_system #(
       .Splines(Splines),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
+      .Networks(Networks),
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
@@ -338,6 +344,7 @@ module motion_system #(
       .rates_o(rates),
       .path_rate_o(rate),
       .path_o(path),
+      .path_changes_o(path_changes),
       .active_o(active),
       .underrun_o(underrun),
       .standing_o(standing),

@@ -28,6 +28,7 @@ module machine_inputs #(
     output logic                 caught_o,
     input  wire logic [    31:0] steps_i,
     input  wire logic [    31:0] path_i,
+    input  wire logic            path_changes_i,
 
     // Memory: rtl/bus/register_file.sv
     input  wire logic        note_ready_i,
@@ -70,7 +71,8 @@ module machine_inputs #(
       .note_word_o (probe_word),
       .note_data_o (probe_data),
       .steps_i,
-      .path_i
+      .path_i,
+      .path_changes_i
   );
   assign note_word_o = follows ? follow_word : probe_word;
   assign note_data_o = follows ? follow_data : probe_data;

@@ -23,6 +23,7 @@ module paced_motion #(
     parameter int Splines           = 1,
     parameter int Mode              = 1,
     parameter int SampleInterval    = 8,
+    parameter int Networks          = 1,
     parameter int MultiplierForm    = 0,
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -77,6 +78,7 @@ module paced_motion #(
     // Telemetry
     output logic [16:0] path_rate_o,
     output logic [63:0] path_o,
+    output logic        path_changes_o,  // rtl/engine/engine_motion.sv
     output logic        active_o,
     output logic        underrun_o,
     output logic        standing_o,
@@ -191,7 +193,8 @@ module paced_motion #(
         .path_ds_o(unused_path_ds),
         .path_rate_o,
         .path_active_o(unused_path_active),
-        .path_o,
+        .path_o(path_o[60:0]),
+        .path_changes_o,
         .active_o,
         .underrun_o,
         .killed_o(unused_killed),
@@ -199,6 +202,7 @@ module paced_motion #(
         .fault_o,
         .empty_segments_o(unused_empty_segments)
     );
+    assign path_o[63:61] = '0;
     engine_rates #(
         .Axes(3 + AuxAxes),
         .PeriodLog2(PeriodLog2)
@@ -250,6 +254,7 @@ module paced_motion #(
         .Splines(Splines),
         .Mode(Mode),
         .SampleInterval(SampleInterval),
+        .Networks(Networks),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords)
@@ -308,6 +313,7 @@ module paced_motion #(
         .leave_i(profile_leaves),
         .room_o (profile_room_o)
     );
+    assign path_changes_o = 1'b0;
     assign axis_o = '0;
     assign rates_o = '0;
     assign setting_next_o = 1'b0;

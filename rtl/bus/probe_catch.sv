@@ -29,11 +29,12 @@ module probe_catch #(
 
     // Notes
     input  wire logic        note_ready_i,
-    output logic             notes_o,       // notes besides the switches
+    output logic             notes_o,        // notes besides the switches
     output logic      [ 6:0] note_word_o,
     output logic      [31:0] note_data_o,
-    input  wire logic [31:0] steps_i,       // steps of the axis in note_word_o
-    input  wire logic [31:0] path_i
+    input  wire logic [31:0] steps_i,        // steps of the axis in note_word_o
+    input  wire logic [31:0] path_i,
+    input  wire logic        path_changes_i  // its note waits
 );
 
   logic probe;
@@ -61,6 +62,8 @@ module probe_catch #(
   localparam logic [3:0] Path = 4'(Axes);
   logic notes_q;
   logic [3:0] note_q;
+  logic noted;
+  assign noted = note_ready_i && !(note_q == Path && path_changes_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       armed_q  <= 1'b0;
@@ -73,7 +76,7 @@ module probe_catch #(
     end else if (armed_q && levels[switch_q] == high_q) begin
       armed_q <= 1'b0;
       notes_q <= 1'b1;
-    end else if (notes_q && note_ready_i && note_q == Path) begin
+    end else if (notes_q && noted && note_q == Path) begin
       notes_q  <= 1'b0;
       caught_o <= 1'b1;
     end
@@ -82,7 +85,7 @@ module probe_catch #(
       high_q   <= command_i[registers_pkg::ProbeHighLow];
     end
     if (!notes_q) note_q <= '0;
-    else if (note_ready_i) note_q <= note_q + 1'b1;
+    else if (noted) note_q <= note_q + 1'b1;
   end
 
   assign notes_o = notes_q;

@@ -80,7 +80,8 @@ module engine_motion #(
     output logic [47:0] path_ds_o,
     output logic [16:0] path_rate_o,
     output logic        path_active_o,
-    output logic [63:0] path_o,
+    output logic [60:0] path_o,
+    output logic        path_changes_o,   // path_o or path_rate_o, limb by limb
     output logic        active_o,
     output logic        underrun_o,
     output logic        killed_o,
@@ -124,8 +125,7 @@ module engine_motion #(
   localparam int OutActive = 13;
   localparam int OutStanding = 14;
   localparam int OutPathActive = 15;
-  localparam int OutPathLow = 26;
-  localparam int OutPathHigh = 27;
+  localparam int OutPath = 26;
   localparam int OutIncrement = 28;
   localparam int OutRate = 29;
   localparam int OutEmpties = 30;
@@ -327,6 +327,9 @@ module engine_motion #(
   end
 
   // What the motion says of itself
+  logic changes_q, last_limb;
+  assign last_limb = out_limb == (out[OutPath] ? 2'd3 : 2'd1);
+  assign path_changes_o = out[OutPath] || out[OutRate] || changes_q;
   always_ff @(posedge clk_i) begin
     if (out[OutIncrement]) begin
       case (out_limb)
@@ -344,23 +347,22 @@ module engine_motion #(
     if (!rst_ni) begin
       path_valid_o     <= 1'b0;
       path_o           <= '0;
+      changes_q        <= 1'b0;
       active_o         <= 1'b0;
       underrun_o       <= 1'b0;
       fault_o          <= '0;
       empty_segments_o <= '0;
     end else begin
       path_valid_o <= out[OutRate] && out_limb == 2'd1;
-      if (out[OutPathLow]) begin
+      if (out[OutPath]) begin
         case (out_limb)
           2'd0: path_o[14:0] <= out_data[14:0];
           2'd1: path_o[29:15] <= out_data[14:0];
-          default: path_o[44:30] <= out_data[14:0];
+          2'd2: path_o[44:30] <= out_data[14:0];
+          default: path_o[60:45] <= out_data;
         endcase
       end
-      if (out[OutPathHigh]) begin
-        if (out_limb == 2'd0) path_o[59:45] <= out_data[14:0];
-        else path_o[63:60] <= out_data[3:0];
-      end
+      if (out[OutPath] || out[OutRate]) changes_q <= !last_limb;
       if (out[OutActive]) active_o <= out_data[0];
       if (out[OutUnderrun]) underrun_o <= 1'b1;
       if (out[OutShort]) fault_o[5] <= 1'b1;

@@ -21,7 +21,7 @@ package engine_pkg;
   localparam logic [4:0] PortLink = 5'd2;
 
   // Counts the changes of rtl/engine/programs/ports.asm that programs made before do not know of
-  localparam int PortNumbers = 1;
+  localparam int PortNumbers = 2;
 
   // Returns what microcode is made for, a digest of its core: rtl/engine/compiler/word_numbers.hpp
   function automatic logic [14:0] made_for(input int core, input int aux_axes, input int splines,

@@ -112,12 +112,12 @@ module sample_landing #(
       ) u_lander (
           .clk_i,
           .write_i(write),
-          .write_bank_i,
+          .write_place_i(write_bank_i),
           .write_origin_i(point_i[0+:FineBits]),
           .write_end_i(point_i[FineBits+:FineBits]),
           .d_i(d_i[n*CoefBits+:CoefBits]),
           .down_i(down),
-          .bank_i(step_q[0][1:0]),
+          .place_i(step_q[0][1:0]),
           .land_i(land_q),
           .fine_o(fine[n*FineBits+:FineBits])
       );

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All axes of a sample on one adder, an axis a clock, where samples are Axes clocks apart or more:
-// each the step's origin plus the displacement, or the segment's end exactly, as it is in
-// rtl/sampler/lander.sv.
+// All axes of a sample on one lander, an axis a clock, where samples are Axes clocks apart or more.
 //
 //   clock       0                            4 + axis
 //   valid_i     d, down, bank, land          fine_o; push_o if sample_i
@@ -59,47 +57,30 @@ module shared_lander #(
 
   // A clock later
   logic [4:0] place_q;
-  logic       none_q;
+  logic       lands_q;
   always_ff @(posedge clk_i) begin
     place_q <= {axis_q, bank_q};
-    none_q  <= land_q;
+    lands_q <= land_q;
   end
 
-  logic signed [FineBits-1:0] origin_memory[32];
-  logic signed [FineBits-1:0] end_memory   [32];
-  logic        [         4:0] write_place;
-  assign write_place = {point_i[2*FineBits+:3], write_bank_i};
-  always_ff @(posedge clk_i) begin
-    if (point_i[2*FineBits+4]) begin
-      origin_memory[write_place] <= point_i[0+:FineBits];
-      end_memory[write_place]    <= point_i[FineBits+:FineBits];
-    end
-  end
-
-  logic signed [FineBits:0] doubled;
-  fine_scale #(
+  lander #(
       .CoefBits (CoefBits),
       .FineBits (FineBits),
-      .GuardBits(GuardBits)
-  ) u_scale (
+      .GuardBits(GuardBits),
+      .PlaceBits(5)
+  ) u_lander (
       .clk_i,
-      .en_i(1'b1),
-      .d_i(d_q[CoefBits-1:0]),
-      .down_i(down_q),
-      .none_i(none_q),
-      .doubled_o(doubled)
+      .write_i       (point_i[2*FineBits+4]),
+      .write_place_i ({point_i[2*FineBits+:3], write_bank_i}),
+      .write_origin_i(point_i[0+:FineBits]),
+      .write_end_i   (point_i[FineBits+:FineBits]),
+      .d_i           (d_q[CoefBits-1:0]),
+      .down_i        (down_q),
+      .place_i       (place_q),
+      .land_i        (lands_q),
+      .fine_o
   );
-
-  logic signed [FineBits-1:0] base_q;
-  logic signed [  FineBits:0] base_half;
-  logic signed [  FineBits:0] twice;
-  assign base_half = {base_q, 1'b1};
-  assign twice     = base_half + doubled;
-  assign push_o    = busy_q[3];
-  always_ff @(posedge clk_i) begin
-    base_q <= none_q ? end_memory[place_q] : origin_memory[place_q];
-    fine_o <= twice[FineBits:1];
-  end
+  assign push_o = busy_q[3];
 
 endmodule
 `default_nettype wire

@@ -18,7 +18,7 @@ constexpr int kPowerEntries = 240;
 constexpr int kWordsBehind = 4;
 
 /// Changes of ports.asm that programs made before do not know of. Twin: engine_pkg::PortNumbers.
-constexpr std::uint16_t kPortNumbers = 1;
+constexpr std::uint16_t kPortNumbers = 2;
 
 /// Returns what programs are made for. Twin: engine_pkg::made_for.
 inline int made_for(const ref::CoreParameters& core, int segment_words, int profile_words,

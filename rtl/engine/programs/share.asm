@@ -9,9 +9,9 @@ word share_index = 0, 2 limbs  # samples that the tick still has
 word increment             # of a tick (path.asm), then its floor(increment / 2^n)
 word sigma
 word samples_per_tick      # n: settings.asm
-wide path_sum = 0          # 64 bits
+word path_sum = 0, 4 limbs # modulo 2^61
 word shares share_odd share_gone   # 2^n; increment modulo 2^n; what of 2^n is missing to a quantum
-local place whole part ds high
+local place whole part ds
 data share_bits = 44
 
 share:
@@ -43,9 +43,7 @@ next_share:
   ds = ds + 1, 4 limbs
 shared:
   sigma = sigma + ds, 4 limbs
-  path_sum += wide ds * 2^0
-  high = floor(wide path_sum * 2^0 >> 45), 2 limbs
-  port path_low = path_sum
-  port path_high = high, 2 limbs
+  path_sum = path_sum + ds, 4 limbs
+  port path_out = path_sum, 4 limbs
   port path_increment = ds, 4 limbs
   return

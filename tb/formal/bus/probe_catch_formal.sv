@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/probe_catch.sv: a level that an armed switch has on one edge of the clock is caught, and
 // nothing else is; then every axis and the path are noted, once and in order, with their values on
-// that clock.
+// that clock, the path on the first one that does not change it.
 // control: BLINKS s/armed_q \&\& levels/armed_q \&\& note_ready_i \&\& levels/
 // control: ANY_LEVEL s/ == high_q/ != 2'd2/
 // control: ANY_SWITCH s/levels\[switch_q\]/(levels != 16'd0)/
-// control: SKIPS s/else if (note_ready_i) note_q/else note_q/
+// control: SKIPS s/else if (noted) note_q/else note_q/
 // control: SAYS_IT_EARLY s/ \&\& note_q == Path//
+// control: TORN s/ \&\& !(note_q == Path \&\& path_changes_i)//
 // control: FORGETS_IT s/else if (armed_q/else if (caught_o) caught_o <= 1'b0; else if (armed_q/
 `default_nettype none
 module probe_catch_formal (
@@ -18,7 +19,8 @@ module probe_catch_formal (
     input wire logic [ 5:0] command_i,
     input wire logic        note_ready_i,
     input wire logic [31:0] steps_i,
-    input wire logic [31:0] path_i
+    input wire logic [31:0] path_i,
+    input wire logic        path_changes_i
 );
 
   logic caught;
@@ -39,7 +41,8 @@ module probe_catch_formal (
       .note_word_o(word),
       .note_data_o(data),
       .steps_i,
-      .path_i
+      .path_i,
+      .path_changes_i
   );
 
   // The pins, two clocks ago
@@ -75,7 +78,7 @@ module probe_catch_formal (
       next_q  <= 3'd0;
     end else if (note_ready_i) begin
       if (next_q < 3'd2) next_q <= next_q + 3'd1;
-      if (next_q == 3'd2) next_q <= 3'd4;
+      if (next_q == 3'd2 && !path_changes_i) next_q <= 3'd4;
     end
   end
 

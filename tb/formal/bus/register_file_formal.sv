@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
-// 2^7 more, or where programs read, in one more besides those clocks; a push is taken once, or is
-// an error, and not while programs read; a note waits for two clocks at most.
+// 2^7 more, or where programs read, in one more besides those clocks, and PATH_LO not while it
+// changes; a push is taken once, or is an error, and not while programs read; a note waits for two
+// clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
 // control: ANSWERS_TWICE s/ && !done_o \&\& !read_q/ \&\& !read_q/
 // control: NO_RESET s/works_q <= 1'b0;//
 // control: TAKES_QUIETLY s/(write_q && !taken)/1'b0/
 // control: NOTES_WHEN_IDLE s/(!valid_i || done_o ||/(!valid_i ||/
-// control: NOTES_WAIT_FOR_PROGRAMS s/ || (read_q \&\& !works_q))/)/
+// control: NOTES_WAIT_FOR_PROGRAMS s/ || ((read_q || path_waits) \&\& !works_q))/)/
 // control: PUSHES_LONG s/works_q \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
-// control: MEETS_PROGRAMS s/ \&\& !(read_next_i \&\& write_i)//
+// control: MEETS_PROGRAMS s/!(read_next_i \&\& write_i) \&\& //
+// control: TORN s/ \&\& !path_waits;/;/
+// control: NOTES_WAIT_FOR_PATHS s/(read_q || path_waits)/read_q/
 // control: READS_WAIT_TWICE s/(read_next_i \&\& write_i)/read_next_i/
 `default_nettype none
 module register_file_formal (
@@ -24,7 +27,8 @@ module register_file_formal (
     input wire logic       control_ready_i,
     input wire logic       reference_ready_i,
     input wire logic       off_i,
-    input wire logic       read_next_i
+    input wire logic       read_next_i,
+    input wire logic       path_changes_i
 );
 
   // A shell: a request stays until it is done.
@@ -68,6 +72,7 @@ module register_file_formal (
       .room_i(32'd0),
       .samples_i(32'd0),
       .path_i(64'd0),
+      .path_changes_i,
       .rate_i(17'd0),
       .steps_i(32'd0),
       .note_ready_o(note_ready),
@@ -89,8 +94,11 @@ module register_file_formal (
   logic [1:0] notes_wait_q;  // clocks
   logic pushed_q;  // of the request at hand: a push was taken
   logic refused_q;
+  logic waits;  // for the path
+  logic [1:0] changes_q;  // it changed in the clock before, in that before it
   logic push;
   logic taken;
+  assign waits = path_changes_i && !write_q && word_q == registers_pkg::PathLo;
   assign push = segment_valid || profile_valid || sample_valid;
   assign taken = (segment_valid && segment_ready_i) || (profile_valid && profile_ready_i) ||
       (sample_valid && sample_ready_i);
@@ -99,9 +107,10 @@ module register_file_formal (
     if (!rst_ni) since_q <= '0;
     else if (!since_q[7]) since_q <= since_q + 1'b1;
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
-    else if (!read) waited_q <= waited_q + 1'b1;
+    else if (!read && !waits) waited_q <= waited_q + 1'b1;
     read_q <= {read_q[1:0], read_next_i};
-    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read);
+    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read && !waits);
+    changes_q <= {changes_q[0], path_changes_i};
     if (!rst_ni || !valid_q || done || !since_q[7]) since_asked_q <= '0;
     else if (!since_asked_q[1]) since_asked_q <= since_asked_q + 1'b1;
     if (!rst_ni || note_ready || !since_q[7]) notes_wait_q <= '0;
@@ -126,11 +135,13 @@ module register_file_formal (
       Undisturbed : assert (!(push && read));
       Push_asked : assert (!push || (valid_q && write_q && !done));
       Pushed_once : assert (!(push && (pushed_q || refused_q)));
+      Whole : assert (!(done && !write_q && word_q == registers_pkg::PathLo && changes_q[1]));
       Refused_is_error : assert (!(done && refused_q && !error));
       Taken_is_none : assert (!(done && pushed_q && error));
       Noted : assert (note_ready || notes_wait_q != 2'd2);
       Answered : cover (done && !error);
       Refused : cover (done && error && refused_q);
+      Waited : cover (done && word_q == registers_pkg::PathLo && !undisturbed_q);
       Pushed : cover (done && pushed_q);
     end
   end

@@ -16,8 +16,7 @@ namespace {
 constexpr char kOfTest[] = "share_microcode_test";
 constexpr int kReset = 0;
 constexpr int kShare = 1;
-constexpr int kPathLow = 26;
-constexpr int kPathHigh = 27;
+constexpr int kPath = 26;
 constexpr int kPathIncrement = 28;
 
 assembler::Assembly share_microcode() {
@@ -40,11 +39,8 @@ class ShareComparison {
     ShareComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
         : machine_(machine), bound_(worst_case(assembly, "share")) {
         machine_.ports().take = [this](int port, int limb, std::int16_t value) {
-            const int place = port == kPathLow         ? limb
-                              : port == kPathHigh      ? 3 + limb
-                              : port == kPathIncrement ? kPathLimbs + limb
-                                                       : -1;
-            if (place >= 0) told_[place] = static_cast<std::uint64_t>(value);
+            if (port != kPath && port != kPathIncrement) return;
+            told_[port == kPath ? 0 : 1][limb] = static_cast<std::uint64_t>(value);
         };
     }
     ShareComparison(const ShareComparison&) = delete;
@@ -77,8 +73,8 @@ class ShareComparison {
             path += static_cast<std::uint64_t>(ds);
             differ += machine_.get("sigma") == ds ? 0 : 1;
             machine_.set("sigma", 0);
-            differ += told(0, kPathLimbs) == path ? 0 : 1;
-            differ += told(kPathLimbs, 4) == static_cast<std::uint64_t>(ds) ? 0 : 1;
+            differ += told(0) == path % kPathEnd ? 0 : 1;
+            differ += told(1) == static_cast<std::uint64_t>(ds) ? 0 : 1;
             words_ += 4;
         }
         return differ + (most_ > bound_ ? 1 : 0);
@@ -88,19 +84,21 @@ class ShareComparison {
     int most_clocks() const { return most_; }
 
   private:
-    static constexpr int kPathLimbs = 5;
+    static constexpr std::uint64_t kPathEnd = std::uint64_t{1} << 61;
 
-    /// Value that the board was told, modulo 2^64.
-    std::uint64_t told(int place, int limbs) const {
+    /// Value that the board was told, of 4 limbs.
+    std::uint64_t told(int value) const {
         std::uint64_t sum = 0;
-        for (int limb = limbs; limb-- > 0;) sum = (sum << engine::kLimbBits) + told_[place + limb];
-        return sum;
+        for (int limb = 4; limb-- > 0;) {
+            sum = (sum << engine::kLimbBits) + told_[value][limb];
+        }
+        return sum % kPathEnd;
     }
 
     MicrocodeMachine& machine_;
     int bound_;
     int most_ = 0;
-    std::uint64_t told_[9] = {};
+    std::uint64_t told_[2][4] = {};
     std::int64_t words_ = 0;
 };
 

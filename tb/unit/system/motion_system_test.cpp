@@ -76,6 +76,26 @@ TEST_F(MotionSystem, DrawsAProgramAtTheRateOfOverride) {
     EXPECT_EQ(rates.back(), kWhole);
 }
 
+/// The engine tells the path limb by limb: no reading has limbs of two samples.
+TEST_F(MotionSystem, ThePathThatIsReadNeverGoesBack) {
+    host_.prepare(part_);
+    RegisterHost::Sent sent;
+    uint64_t last = 0;
+    int moved = 0;
+    while (last != part_.job.plan.path_length() && !HasFailure()) {
+        if (!sent.all(part_)) host_.feed(part_, sent, [] {});
+        for (int n = 0; n < 100; ++n) {
+            const uint64_t path = host_.path();
+            EXPECT_GE(path, last);
+            moved += path != last ? 1 : 0;
+            last = path;
+        }
+    }
+    EXPECT_GT(moved, 1000);
+    host_.finish(part_);
+    expect_drawn();
+}
+
 TEST_F(MotionSystem, DrawsAProgramThatStreamsBring) {
     host_->segment_valid_i = 1;
     host_->segment_data_i = part_.segments[0];
