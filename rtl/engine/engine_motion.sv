@@ -133,8 +133,8 @@ module engine_motion #(
 
   // Engine
   logic [12:0] conditions;
-  logic in_next, in_valid, out_valid;
-  logic [4:0] in_port, out_port;
+  logic in_next, in_valid, out_next, out_valid;
+  logic [4:0] in_port, out_next_port, out_port;
   logic [1:0] in_limb, out_limb;
   logic [15:0] in_data, out_data;
   logic changed;
@@ -149,21 +149,23 @@ module engine_motion #(
   ) u_engine (
       .clk_i,
       .rst_ni,
-      .due_i       (1'b0),
-      .tick_i      (1'b1),
-      .busy_o      (unused_busy),
-      .late_o      (unused_late),
-      .changed_o   (changed),
-      .conditions_i(conditions),
-      .in_next_o   (in_next),
-      .in_valid_o  (in_valid),
-      .in_port_o   (in_port),
-      .in_limb_o   (in_limb),
-      .in_data_i   (in_data),
-      .out_valid_o (out_valid),
-      .out_port_o  (out_port),
-      .out_limb_o  (out_limb),
-      .out_data_o  (out_data)
+      .due_i          (1'b0),
+      .tick_i         (1'b1),
+      .busy_o         (unused_busy),
+      .late_o         (unused_late),
+      .changed_o      (changed),
+      .conditions_i   (conditions),
+      .in_next_o      (in_next),
+      .in_valid_o     (in_valid),
+      .in_port_o      (in_port),
+      .in_limb_o      (in_limb),
+      .in_data_i      (in_data),
+      .out_next_o     (out_next),
+      .out_next_port_o(out_next_port),
+      .out_valid_o    (out_valid),
+      .out_port_o     (out_port),
+      .out_limb_o     (out_limb),
+      .out_data_o     (out_data)
   );
   logic [31:0] out;  // the port that a limb comes to
   always_comb begin
@@ -327,9 +329,6 @@ module engine_motion #(
   end
 
   // What the motion says of itself
-  logic changes_q, last_limb;
-  assign last_limb = out_limb == (out[OutPath] ? 2'd3 : 2'd1);
-  assign path_changes_o = out[OutPath] || out[OutRate] || changes_q;
   always_ff @(posedge clk_i) begin
     if (out[OutIncrement]) begin
       case (out_limb)
@@ -343,11 +342,11 @@ module engine_motion #(
       if (out_limb == 2'd0) path_rate_o[14:0] <= out_data[14:0];
       else path_rate_o[16:15] <= out_data[1:0];
     end
+    path_changes_o <= out_next && (out_next_port == 5'(OutPath) || out_next_port == 5'(OutRate));
     if (out[OutPathActive]) path_active_o <= out_data != '0;
     if (!rst_ni) begin
       path_valid_o     <= 1'b0;
       path_o           <= '0;
-      changes_q        <= 1'b0;
       active_o         <= 1'b0;
       underrun_o       <= 1'b0;
       fault_o          <= '0;
@@ -362,7 +361,6 @@ module engine_motion #(
           default: path_o[60:45] <= out_data;
         endcase
       end
-      if (out[OutPath] || out[OutRate]) changes_q <= !last_limb;
       if (out[OutActive]) active_o <= out_data[0];
       if (out[OutUnderrun]) underrun_o <= 1'b1;
       if (out[OutShort]) fault_o[5] <= 1'b1;

@@ -30,12 +30,14 @@ module motion_engine #(
     output logic      late_o,
     output logic      changed_o,
 
-    input  wire logic [12:0] conditions_i,  // 3 to 15
-    output logic             in_next_o,     // in_valid_o of the next clock
+    input  wire logic [12:0] conditions_i,     // 3 to 15
+    output logic             in_next_o,        // in_valid_o of the next clock
     output logic             in_valid_o,
     output logic      [ 4:0] in_port_o,
     output logic      [ 1:0] in_limb_o,
     input  wire logic [15:0] in_data_i,
+    output logic             out_next_o,       // out_valid_o of the next clock, at this port
+    output logic      [ 4:0] out_next_port_o,
     output logic             out_valid_o,
     output logic      [ 4:0] out_port_o,
     output logic      [ 1:0] out_limb_o,
@@ -118,10 +120,10 @@ module motion_engine #(
   // What OUT puts out, a clock behind its term
   logic out_q, out_last_q;
   logic [1:0] out_limb_q;
-  logic [4:0] out_port;
   logic [15:0] first_limb, second_limb;
   logic own;
-  assign out_port = fields[12:8];
+  assign out_next_o = out_q && !changed_o;
+  assign out_next_port_o = fields[12:8];
   assign own = out_q && out_last_q;
 
   // Places
@@ -147,7 +149,7 @@ module motion_engine #(
       .board_i       (conditions_i),
       .stall_o       (stall),
       .ends_o        (ends),
-      .link_i        (own && out_port == engine_pkg::PortLink),
+      .link_i        (own && out_next_port_o == engine_pkg::PortLink),
       .link_place_i  (first_limb[PlaceBits-1:0]),
       .link_o        (link)
   );
@@ -191,8 +193,8 @@ module motion_engine #(
       .rst_ni,
       .fields_i  (fields),
       .thread_i  (thread),
-      .page_x_i  (own && out_port == engine_pkg::PortX),
-      .page_y_i  (own && out_port == engine_pkg::PortY),
+      .page_x_i  (own && out_next_port_o == engine_pkg::PortX),
+      .page_y_i  (own && out_next_port_o == engine_pkg::PortY),
       .page_i    (first_limb[WordBits-6:0]),
       .product_i (product),
       .sum_i     (sum),
@@ -284,8 +286,8 @@ module motion_engine #(
     out_q       <= rst_ni && run && is_out;
     out_last_q  <= last_column;
     out_limb_q  <= limb[1:0];
-    out_valid_o <= rst_ni && out_q && !changed_o;
-    out_port_o  <= out_port;
+    out_valid_o <= rst_ni && out_next_o;
+    out_port_o  <= out_next_port_o;
     out_limb_o  <= out_limb_q;
     out_data_o  <= first_limb;
   end
