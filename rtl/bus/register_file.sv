@@ -12,7 +12,7 @@
 // first answer after a reset takes 2^7 clocks more, in which a memory gets its reset values.
 // Settings are read from it, constants, notes (rtl/bus/probe_catch.sv), which wait for two clocks
 // at most, and what is kept when PATH_LO is answered: the path of that clock, the rate of the one
-// before. While they change, limb by limb in 4 clocks at most, PATH_LO waits.
+// before. While they change, limb by limb in 4 clocks at most, requests wait.
 //
 // The programs of Build 2 read their settings there, too, and come first: a request that finds them
 // reading takes up to 4 clocks more, a read 3, for they read in 3 clocks at most and leave 2. No
@@ -120,9 +120,8 @@ module register_file #(
   logic works_q;
   logic read_q;  // programs read
   logic write_q;
-  logic keeps;  // what belongs to PATH_LO, which is read
-  logic path_waits;
-  assign path_waits = path_changes_i && keeps;
+  logic waits;
+  assign waits  = read_q || path_changes_i;
   assign filled = fill_q[7];
   always_ff @(posedge clk_i) begin
     read_q <= read_next_i;
@@ -132,9 +131,8 @@ module register_file #(
       done_o  <= 1'b0;
     end else begin
       if (!filled) fill_q <= fill_q + 1'b1;
-      works_q <= filled && valid_i && !works_q && !done_o && !read_q &&
-          !(read_next_i && write_i) && !path_waits;
-      done_o <= works_q;
+      works_q <= filled && valid_i && !works_q && !done_o && !waits && !(read_next_i && write_i);
+      done_o  <= works_q;
     end
   end
 
@@ -257,10 +255,11 @@ module register_file #(
   // streams have in common.
   logic [31:0] fill_data;
   logic fills;
+  logic keeps;  // what belongs to PATH_LO, which is read
   logic [6:0] address;
   logic [31:0] data;
   assign kept_ready_o = !read_q;
-  assign note_ready_o = filled && (!valid_i || done_o || ((read_q || path_waits) && !works_q));
+  assign note_ready_o = filled && (!valid_i || done_o || (waits && !works_q));
   always_comb begin
     fills = !filled;
     fill_data = registers_pkg::reset_value(fill_q[6:0]);

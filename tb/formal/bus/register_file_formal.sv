@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
-// 2^7 more, or where programs read, in one more besides those clocks, and PATH_LO not while it
-// changes; a push is taken once, or is an error, and not while programs read; a note waits for two
-// clocks at most.
+// 2^7 more, or where programs read or the path changes, in one more besides those clocks; PATH_LO is
+// not read while it changes; a push is taken once, or is an error, and not while programs read; a
+// note waits for two clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
-// control: ANSWERS_TWICE s/ && !done_o \&\& !read_q/ \&\& !read_q/
+// control: ANSWERS_TWICE s/ \&\& !done_o \&\& !waits/ \&\& !waits/
 // control: NO_RESET s/works_q <= 1'b0;//
 // control: TAKES_QUIETLY s/(write_q && !taken)/1'b0/
 // control: NOTES_WHEN_IDLE s/(!valid_i || done_o ||/(!valid_i ||/
-// control: NOTES_WAIT_FOR_PROGRAMS s/ || ((read_q || path_waits) \&\& !works_q))/)/
+// control: NOTES_WAIT_FOR_OTHERS s/ || (waits \&\& !works_q))/)/
 // control: PUSHES_LONG s/works_q \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
-// control: MEETS_PROGRAMS s/!(read_next_i \&\& write_i) \&\& //
-// control: TORN s/ \&\& !path_waits;/;/
-// control: NOTES_WAIT_FOR_PATHS s/(read_q || path_waits)/read_q/
+// control: MEETS_PROGRAMS s/ \&\& !(read_next_i \&\& write_i)//
+// control: TORN s/read_q || path_changes_i/read_q/
 // control: READS_WAIT_TWICE s/(read_next_i \&\& write_i)/read_next_i/
 `default_nettype none
 module register_file_formal (
@@ -90,15 +89,13 @@ module register_file_formal (
   logic [2:0] read_q;
   assign read = read_q[0];
   logic [1:0] since_asked_q;  // all of them, 2 at most
-  logic undisturbed_q;  // programs did not read since it was asked
+  logic undisturbed_q;  // programs did not read, nor did the path change, since it was asked
   logic [1:0] notes_wait_q;  // clocks
   logic pushed_q;  // of the request at hand: a push was taken
   logic refused_q;
-  logic waits;  // for the path
   logic [1:0] changes_q;  // it changed in the clock before, in that before it
   logic push;
   logic taken;
-  assign waits = path_changes_i && !write_q && word_q == registers_pkg::PathLo;
   assign push = segment_valid || profile_valid || sample_valid;
   assign taken = (segment_valid && segment_ready_i) || (profile_valid && profile_ready_i) ||
       (sample_valid && sample_ready_i);
@@ -107,9 +104,9 @@ module register_file_formal (
     if (!rst_ni) since_q <= '0;
     else if (!since_q[7]) since_q <= since_q + 1'b1;
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
-    else if (!read && !waits) waited_q <= waited_q + 1'b1;
+    else if (!read && !path_changes_i) waited_q <= waited_q + 1'b1;
     read_q <= {read_q[1:0], read_next_i};
-    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read && !waits);
+    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read && !path_changes_i);
     changes_q <= {changes_q[0], path_changes_i};
     if (!rst_ni || !valid_q || done || !since_q[7]) since_asked_q <= '0;
     else if (!since_asked_q[1]) since_asked_q <= since_asked_q + 1'b1;
