@@ -15,8 +15,8 @@
 // before. While they change, limb by limb in 4 clocks at most, requests wait.
 //
 // The programs of Build 2 read their settings there, too, and come first: a request that finds them
-// reading takes up to 4 clocks more, a read 3, for they read in 3 clocks at most and leave 2. No
-// write meets them, so they read whole words.
+// reading takes up to 4 clocks more, a read 3, for they read in 3 clocks at most and leave 2 before
+// they read or tell the path again. No write meets them, so they read whole words.
 `default_nettype none
 module register_file #(
     parameter int Axes       = 3,   // [1, 9]

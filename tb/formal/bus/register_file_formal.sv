@@ -123,7 +123,9 @@ module register_file_formal (
 
   always_comb begin
     if (!started_q) assume (!rst_ni);
-    if (read_q[2:1] == 2'b10) assume (!read);  // programs leave two clocks
+    if (changes_q == 2'b10 || read_q[2:1] == 2'b10)  // programs leave two clocks
+      assume (!read && !path_changes_i);
+    if (read) assume (!path_changes_i);
     if (started_q && rst_ni) begin
       In_time : assert (!(valid_q && !done && waited_q == 2'd3));
       At_once : assert (!(valid_q && !done && waited_q == 2'd2 && (undisturbed_q || !write_q)));

@@ -111,7 +111,7 @@ class RegisterFile : public testing::Test {
             pause_ = 4;
         } else if (pause_ > 0) {
             --pause_;
-        } else if (!settings_.empty() && any() % 4 == 0) {
+        } else if (!settings_.empty() && change_ < -2 && any() % 4 == 0) {
             reads_left_ = 1 + static_cast<int>(any() % kMostReads);
             dut_->read_word_i = static_cast<unsigned>(kRead[any() % 6]);
             read_.reset();
@@ -144,11 +144,12 @@ class RegisterFile : public testing::Test {
         dut_->rate_i = whole ? rate_ : any() % (1 << 17);
         dut_->path_changes_i = change_ > 0;
     }
-    /// They change at random, not soon again.
+    /// They change at random, not soon again, nor where programs read.
     void change_path() {
+        const bool reads = reads_left_ > 0 || pause_ > 0 || dut_->read_next_i != 0;
         if (change_ > -kChange) {
             --change_;
-        } else if (!settings_.empty() && any() % 8 == 0) {
+        } else if (!settings_.empty() && !reads && any() % 8 == 0) {
             change_ = kChange;
         }
         show_path();
@@ -363,7 +364,7 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         EXPECT_GE(answer.clocks, kAnswer);
         EXPECT_LE(answer.clocks,
                   kAnswer + answer.reads + answer.changes + (answer.reads > 0 && write ? 1 : 0));
-        EXPECT_LE(answer.clocks, kAnswer + kMostReads + kChange + (write ? 1 : 0));
+        EXPECT_LE(answer.clocks, kAnswer + std::max(kMostReads, kChange) + (write ? 1 : 0));
         path_waits += answer.clocks > kAnswer + answer.reads + 1 ? 1 : 0;
         waits += answer.clocks > kAnswer ? 1 : 0;
         EXPECT_EQ(answer.error, !good);
