@@ -172,7 +172,7 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
 /// Programs of the engine, at most: tb/model/hls/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 60;  // of a sample, besides its curve
-constexpr int kEngineRestClocks = 226;   // the loop: a request and the sample
+constexpr int kEngineRestClocks = 214;   // the loop: a request and the sample
 constexpr int kEngineTickClocks = 1998;  // of time, with a piece that begins
 
 /// Steps of a stop branch that the engine loads in a tick, while it has no piece to fetch.

@@ -113,10 +113,11 @@ class StepAxis {
     void clock(const PulseTimes& times, const StepRate* load, bool none, bool stop) {
         const bool refused = load != nullptr && load->refused;
         const bool begins = load != nullptr && load->fresh;
-        pulse_.clock(times, phase_.hit(), phase_.back(), stop || !referenced_, begins);
+        pulse_.clock(times, phase_.hit(), phase_.back(), stop || !referenced_, begun_);
         phase_.clock(load, none);
         referenced_ = !stop && !refused && (referenced_ || begins);
         refused_ = !begins && (refused_ || refused);
+        begun_ = begins;
     }
 
     const StepPulse& pulse() const { return pulse_; }
@@ -128,6 +129,7 @@ class StepAxis {
     StepPulse pulse_;
     bool referenced_ = false;
     bool refused_ = false;
+    bool begun_ = false;  // in the clock before
 };
 
 }  // namespace hls

@@ -169,7 +169,7 @@ microcode() {
   build microcode_campaign "${benches[@]}"
   lines=$out/microcode-$tree
   [[ $tree != *-changed ]] || rm -f "$lines".*
-  seq "$(nproc)" | xargs -P "$(nproc)" -I N $tb/campaign/microcode_campaign \
+  seq "$(nproc)" | CURVECORE_LONG=1 xargs -P "$(nproc)" -I N $tb/campaign/microcode_campaign \
     --words "$samples" --part N --parts "$(nproc)" -o "$lines.N" | tee $out/microcode.run
   awk '{words += $1; n += $4; differ += $6}
     END {print words " words of the twin in " n " configurations, " differ " differ"}' \

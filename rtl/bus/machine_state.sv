@@ -18,7 +18,7 @@ module machine_state #(
     input wire logic rst_ni,
 
     // Registers
-    input  wire logic            control_asked_i,    // ready or not
+    input  wire logic            control_asked_i,    // ready or not: its e-stop is obeyed
     input  wire logic            control_write_i,
     output logic                 control_ready_o,
     input  wire logic            state_write_i,
@@ -80,7 +80,7 @@ module machine_state #(
   logic silent;
   logic estop;
   assign steps = {late_i, refused_i, overrun_i};
-  assign estop = control_write_i && command_i[registers_pkg::ControlEstopLow];
+  assign estop = control_asked_i && command_i[registers_pkg::ControlEstopLow];
   always_comb begin
     sources = 18'd0;
     sources[registers_pkg::StateBusLow] = write_i && error_i;

@@ -194,7 +194,7 @@ module sample_sources #(
       .Bits (PositionBits),
       .Words(SampleBufferWords),
       .Form (MultiplierForm),
-      .Holds((Build == 2) ? 0 : 1)
+      .Holds((Build == 2 && MultiplierForm == 2) ? 0 : 1)  // or block RAM to engine is slowest
   ) u_positions (
       .clk_i,
       .rst_ni,

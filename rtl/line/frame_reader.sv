@@ -102,10 +102,12 @@ module frame_reader (
   assign accessed = state_q == Access && (!asks || done_i);
   assign answers  = state_q == Answer && ready_i;
   assign done     = writes_q ? accessed : answers && part_q == '1;
-  assign write_o  = writes_q && !expects;
-  assign word_o   = {place_q[6:1], place_q[0] || expects};
   assign data32_o = word_q;
-  always_ff @(posedge clk_i) valid_o <= rst_ni && state_q == Access && asks && !done_i;
+  always_ff @(posedge clk_i) begin
+    valid_o <= rst_ni && state_q == Access && asks && !done_i;
+    write_o <= writes_q && !expects;
+    word_o  <= {place_q[6:1], place_q[0] || expects};
+  end
 
   // Answers
   logic refused_q;  // the refusal is to be reported

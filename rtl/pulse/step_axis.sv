@@ -38,10 +38,12 @@ module step_axis #(
 );
 
   logic begins;
+  logic begun_q;  // in the clock before: a rate comes from block RAM, late
   logic refused;
   assign begins  = load_i && !none_i && fresh_i;
   assign refused = load_i && !none_i && refused_i;
   always_ff @(posedge clk_i) begin
+    begun_q <= begins;
     if (!rst_ni || stop_i || refused) referenced_o <= 1'b0;
     else if (begins) referenced_o <= 1'b1;
     if (!rst_ni || begins) refused_o <= 1'b0;
@@ -78,7 +80,7 @@ module step_axis #(
       .hit_i  (hit),
       .back_i (back),
       .stop_i (stop_i || !referenced_o),
-      .clear_i(begins),
+      .clear_i(begun_q),
       .step_o,
       .direction_o,
       .rise_o,

@@ -34,7 +34,7 @@ class BoardFile : public testing::Test {
 
 TEST_F(BoardFile, SaysCorePeriodAndQueues) {
     const Json json = words("tang_nano_20k");
-    EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 81e6);
+    EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 108e6);
     EXPECT_EQ(json["parameters"]["Splines"], 1);
     EXPECT_EQ(json["queue_words"]["segments"], 1024);
     EXPECT_EQ(json["queue_words"]["profile"], 1024);
@@ -51,8 +51,8 @@ TEST_F(BoardFile, OfOnesOwnIsRead) {
 }
 
 TEST_F(BoardFile, EveryBoardOfTheTreeIsRead) {
-    for (const char* name :
-         {"tang_nano_9k", "tang_nano_20k", "icebreaker", "colorlight_i5", "ulx3s_85"}) {
+    for (const char* name : {"tang_nano_9k", "tang_nano_20k", "icebreaker", "colorlight_i5",
+                             "ulx3s_85", "ulx3s_85_parallel"}) {
         EXPECT_GT(words(name)["samples"].get<int>(), 0) << name;
     }
 }

@@ -49,7 +49,7 @@ TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
         return choose(all, asked);
     };
     const Json core = choice({"--device", "ecp5-85"})["choice"]["estimate"];
-    const Json json = choice({"--board", "ulx3s_85"});
+    const Json json = choice({"--board", "ulx3s_85_parallel"});
     const Json& board = json["choice"]["estimate"];
     EXPECT_EQ(json["requirement"]["device"], "ecp5-85");
     EXPECT_GT(board["lut4"], core["lut4"].get<double>() + 4000);
@@ -63,17 +63,27 @@ TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
     EXPECT_EQ(plan.status, 0) << plan.err;
 }
 
-TEST_F(ChooseCommand, KnowsNoBoardThatWasNotPlaced) {
+TEST_F(ChooseCommand, KnowsNoBuildThatWasNotPlacedOnABoard) {
     for (const char* board : {"tang_nano_9k", "icebreaker"}) {
-        const ProgramResult none = run(
-            {"choose", "--error", "1um", "--radius", "1m", "--feed", "10m/min", "--board", board});
+        const ProgramResult none = run({"choose", "--error", "1um", "--radius", "1m", "--feed",
+                                        "10m/min", "--build", "parallel", "--board", board});
         EXPECT_EQ(none.status, 2);
         EXPECT_EQ(none.out, "");
         EXPECT_EQ(none.err.rfind(std::string("curvecore: error: --board ") + board +
-                                     ": there are no measured runs",
+                                     ": there are no measured runs of the parallel build",
                                  0),
                   0U)
             << none.err;
+    }
+}
+
+/// The engine takes as much as its placed board did, whatever is drawn in what it is made for.
+TEST_F(ChooseCommand, KnowsTheEnginesOfTheBoards) {
+    for (const char* board : {"colorlight_i5", "icebreaker", "tang_nano_9k", "tang_nano_20k"}) {
+        const Json json = choose({"choose", "--error", "1um", "--length", "50mm", "--radius", "1m",
+                                  "--feed", "10m/min", "--board", board});
+        EXPECT_EQ(json["choice"]["build"], "engine") << board;
+        EXPECT_GT(json["choice"]["estimate"]["fmax_mhz"], 30) << board;
     }
 }
 

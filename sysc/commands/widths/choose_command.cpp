@@ -171,8 +171,8 @@ void add_choose(CLI::App& app, int& status) {
               "words of 48 bits a second that the host can send",
               within(plain_number, 1, 1e12, "in [1, 1e12] a second"))
         ->default_val("100000");
-    add_value(command, "--build", asked.build, "BUILD", "parallel or serial; either when left out",
-              build_of);
+    add_value(command, "--build", asked.build, "BUILD",
+              "parallel or serial, of a board parallel or engine; either when left out", build_of);
     add_text(command, "--machine", options.machine, "FILE.ini",
              "acceleration and jerk from LinuxCNC's .ini");
     begin_group(command, group::kOutput);

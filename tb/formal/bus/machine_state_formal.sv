@@ -4,6 +4,7 @@
 // only switched off or at rest; a fault stays until it is cleared. Either a program's words or a
 // host's samples are taken, and the choice changes only with nothing of the other under way.
 // control: ESTOP_PASSES s/= estop_i \&\& enable_o/= 1'b0/
+// control: ESTOP_IS_REFUSED s/estop = control_asked_i/estop = control_write_i/
 // control: LIMIT_PASSES s/= limit_i != '0 \&\& enable_o/= 1'b0/
 // control: COMES_ON_FAULTY s/(!stopped \&\& empty_q)/empty_q/
 // control: COMES_ON_FULL s/(!stopped \&\& empty_q)/!stopped/
@@ -153,7 +154,7 @@ module machine_state_formal (
     started_q <= 1'b1;
     ran_q <= rst_ni;
     wrong_q    <= estop_i || limit_i != 2'd0 || motion_fault_i[7] ||
-        (enable && (encoder_i || following_i));
+        (enable && (encoder_i || following_i)) || (write_i && where_i == 2'd0 && command_i[3]);
     asked_q <= control && command_i[0];
     empty_q <= empty;
     ready_q <= (referenced_i | known_q) == 2'b11;

@@ -196,9 +196,12 @@ TEST_F(MotionEncoder, PinsThatChangeTogetherStopTheMachineAndAreNamed) {
         for (int a = 0; a < kSystemAxes; ++a) set_axis(a, 1, 1, 100);
         begin(200 + random_() % 400);
         EXPECT_EQ(host_.state() & kFaults, 0U);
+        next_[which] = INT64_MAX;  // no edge beside it: three would be one backwards
+        host_.clocks(kSeen + kLongestRound);
         axis_[which].edges += 2;
         axis_[which].slipped -= 2;
         host_.clocks(kSeen + kLongestRound);
+        next_[which] = 0;
         EXPECT_EQ(host_.state() & kFaults, kEncoder);
         EXPECT_EQ(fault_axis(), static_cast<uint32_t>(which));
         EXPECT_FALSE(host_.is(CURVECORE_STATE_ENABLED_MASK));

@@ -264,7 +264,13 @@ TEST_F(MotionSystem, ComesOnAtOnceAfterAnEstopInMotion) {
     for (int repeat = 0; repeat < 12 && !HasFailure(); ++repeat) {
         begin(500 + random_() % 500);
         host_.clocks(random_() % kSystemPeriod);
-        host_.write(CURVECORE_CONTROL, CURVECORE_CONTROL_ESTOP_MASK);
+        // In motion the machine does not change to positions, but an e-stop with that is obeyed.
+        constexpr uint32_t kRefused = kEnable | CURVECORE_CONTROL_POSITION_MASK;
+        const bool refused = repeat % 2 != 0;
+        EXPECT_NE(
+            host_.write(CURVECORE_CONTROL, CURVECORE_CONTROL_ESTOP_MASK | (refused ? kRefused : 0)),
+            refused);
+        EXPECT_FALSE(host_.is(CURVECORE_STATE_ENABLED_MASK));
         do {
             clear_faults();
         } while (!host_.write(CURVECORE_CONTROL, kEnable));
