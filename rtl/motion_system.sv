@@ -5,9 +5,8 @@
 //                  ^ v                                    ^ one per period   v
 //               machine_state <- faults <---------------- step_generator -> pins
 //
-// In position mode samples come from registers as well: rtl/bus/position_buffer.sv.
-// A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due. A
-// request is answered in two clocks, with Build 2 in six at most: rtl/bus/register_file.sv.
+// A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due, in
+// position mode from rtl/bus/position_buffer.sv. Requests: rtl/bus/register_file.sv.
 //
 // After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
 // writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words within ROOM;
@@ -82,10 +81,8 @@ module motion_system #(
 );
 
   initial if (Build == 2 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
-  initial if (Build != 0 && Networks != 1) $fatal(1, "Build %0d works with Networks 1 only", Build);
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
-  // Registers
   localparam int Capability = system_pkg::capability(
       Axes, PeriodLog2, Build, Splines, Encoders
   ) + system_pkg::memories(
@@ -94,7 +91,6 @@ module motion_system #(
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
   localparam logic [15:0] BoardDigest = system_pkg::digest(Capability, Core, ClockHertz);
   localparam int Ahead = (Build == 2) ? 15 : SamplesAhead;  // samples_ahead() of hls/clocks.hpp
-  localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, Ahead);
   logic [16:0] override_rate, rate;
   logic [15:0] watchdog, digest;
   logic [3:0] samples_per_tick_log2, scale_axis, steps_axis, position_axis, fault_axis;
@@ -106,10 +102,9 @@ module motion_system #(
   logic segment_valid, segment_ready, profile_valid, profile_ready, position_write, position_ready;
   logic [47:0] register_word;
   logic control_asked, control_write, control_ready, state_write, reference_write, reference_ready;
-  logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next;
+  logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next, path_changes;
   logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
   logic [63:0] path;
-  logic path_changes;
   logic [6:0] note_word, kept_word, setting_word;
   register_file #(
       .Axes      (Axes),
@@ -117,7 +112,7 @@ module motion_system #(
       .TimeBits  (TimeBits),
       .Capability(Capability),
       .Core      (Core),
-      .Widths    (Widths),
+      .Widths    (system_pkg::widths(TimeBits, ScaleBits, Ahead)),
       .ClockHertz(ClockHertz)
   ) u_registers (
       .clk_i,
@@ -183,7 +178,6 @@ module motion_system #(
       .setting_o(setting)
   );
 
-  // Permissions
   logic hold, ends, empty, begins, active, standing, underrun, words, positions;
   logic [7:0] motion_fault;
   logic [Axes*FineBits-1:0] sample;
@@ -277,7 +271,6 @@ module motion_system #(
       .fault_axis_o(fault_axis)
   );
 
-  // The source of the axes' motion
   sample_sources #(
       .Build(Build),
       .Order(Order),

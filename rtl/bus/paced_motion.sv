@@ -85,6 +85,7 @@ module paced_motion #(
     output logic [ 7:0] fault_o
 );
 
+  initial if (Build != 0 && Networks != 1) $fatal(1, "Build %0d works with Networks 1 only", Build);
   initial if (SamplesAhead < 1 || SamplesAhead > 15) $fatal(1, "SamplesAhead must be in [1, 15]");
 
   // An offered sample stays.

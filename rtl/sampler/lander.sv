@@ -10,7 +10,7 @@ module lander #(
     parameter int CoefBits  = 36,  // [18, 36]
     parameter int FineBits  = 42,  // [18, 44]
     parameter int GuardBits = 10,  // [2, 12]
-    parameter int PlaceBits = 2    // of a bank, or of an axis and its bank
+    parameter int PlaceBits = 2    // bank, or axis and bank
 ) (
     input wire logic clk_i,
 

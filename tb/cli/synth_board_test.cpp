@@ -132,7 +132,7 @@ TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
     const ProgramResult result = engine_board(synth, 14);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_PRED_FORMAT2(IsSubstring,
-                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ClockHertz(90000000), "
+                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ClockHertz(95000000), "
                         ".Program(\"program.hex\"), .Data(\"data.hex\")",
                         synth.read("out/boards/engine/top.v"));
     const std::string program = synth.read("out/boards/engine/program.hex");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
-// 2^7 more, or where programs read or the path changes, in one more besides those clocks; PATH_LO is
-// not read while it changes; a push is taken once, or is an error, and not while programs read; a
-// note waits for two clocks at most.
+// 2^7 more, or where programs read or the path changes, in one more besides those clocks; PATH_LO
+// is not read while it changes; a push is taken once, or is an error, and not while programs read;
+// a note waits for two clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
 // control: ANSWERS_TWICE s/ \&\& !done_o \&\& !waits/ \&\& !waits/
 // control: NO_RESET s/works_q <= 1'b0;//
@@ -106,7 +106,8 @@ module register_file_formal (
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
     else if (!read && !path_changes_i) waited_q <= waited_q + 1'b1;
     read_q <= {read_q[1:0], read_next_i};
-    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] || (undisturbed_q && !read && !path_changes_i);
+    undisturbed_q <= !rst_ni || !valid_q || done || !since_q[7] ||
+        (undisturbed_q && !read && !path_changes_i);
     changes_q <= {changes_q[0], path_changes_i};
     if (!rst_ni || !valid_q || done || !since_q[7]) since_asked_q <= '0;
     else if (!since_asked_q[1]) since_asked_q <= since_asked_q + 1'b1;
