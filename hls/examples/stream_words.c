@@ -144,7 +144,7 @@ int main(int count, char** given) {
         turn();
     } while ((board.words[PATH_LO] | (uint64_t)board.words[PATH_HI] << 32) !=
              (uint64_t)number_of("path_quanta") || is(CURVECORE_STATE_ACTIVE_MASK));
-    for (int n = 0; n < 200; ++n) turn(); /* until the last steps are out */
-    set(CURVECORE_CONTROL, 0);
+    for (int64_t n = 0, t = now() + 200000000; n < 200 || now() < t; ++n) set(CURVECORE_PROBE, 0);
+    set(CURVECORE_CONTROL, 0); /* the last steps are out, also where time goes on with frames */
     return 0;
 }

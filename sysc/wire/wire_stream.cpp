@@ -85,7 +85,7 @@ bool WireStream::drawn() const {
 }
 
 /// Waits for the steps of the samples that are made ahead, also on a board whose clock goes on with
-/// frames alone.
+/// frames alone, some quarter of a period with each question.
 void WireStream::settle() {
     const RemoteBuild& build = machine_.build();
     const double periods = CURVECORE_FIELD(build.widths, WIDTHS_SAMPLES_AHEAD) + kStepPeriods;
@@ -93,7 +93,7 @@ void WireStream::settle() {
     const WireClock::time_point end =
         machine_.now() + std::chrono::duration_cast<WireClock::duration>(time);
     while (machine_.now() < end) look();
-    for (int n = 0; n < periods; ++n) machine_.steps();
+    for (int n = 0; n < 2 * periods; ++n) machine_.steps();
 }
 
 /// Carries out the operator's wishes. Returns false if the operator ended the program.
