@@ -34,7 +34,7 @@ class BoardFile : public testing::Test {
 
 TEST_F(BoardFile, SaysCorePeriodAndQueues) {
     const Json json = words("tang_nano_20k");
-    EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 108e6);
+    EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 135e6);
     EXPECT_EQ(json["parameters"]["Splines"], 1);
     EXPECT_EQ(json["queue_words"]["segments"], 1024);
     EXPECT_EQ(json["queue_words"]["profile"], 1024);

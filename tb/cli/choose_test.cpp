@@ -64,7 +64,7 @@ TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
 }
 
 TEST_F(ChooseCommand, KnowsNoBuildThatWasNotPlacedOnABoard) {
-    for (const char* board : {"tang_nano_9k", "icebreaker"}) {
+    for (const char* board : {"tang_nano_20k", "icebreaker"}) {
         const ProgramResult none = run({"choose", "--error", "1um", "--radius", "1m", "--feed",
                                         "10m/min", "--build", "parallel", "--board", board});
         EXPECT_EQ(none.status, 2);
@@ -79,7 +79,7 @@ TEST_F(ChooseCommand, KnowsNoBuildThatWasNotPlacedOnABoard) {
 
 /// The engine takes as much as its placed board did, whatever is drawn in what it is made for.
 TEST_F(ChooseCommand, KnowsTheEnginesOfTheBoards) {
-    for (const char* board : {"colorlight_i5", "icebreaker", "tang_nano_9k", "tang_nano_20k"}) {
+    for (const char* board : {"colorlight_i5", "icebreaker", "tang_nano_20k", "ulx3s_85"}) {
         const Json json = choose({"choose", "--error", "1um", "--length", "50mm", "--radius", "1m",
                                   "--feed", "10m/min", "--board", board});
         EXPECT_EQ(json["choice"]["build"], "engine") << board;

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -50,6 +51,15 @@ void wait_for_work(pid_t child, int ms) {
     }
 }
 
+/// Whether no file of this process was like it but for digits.
+bool is_new(const fs::path& file) {
+    static std::set<std::string> seen;
+    std::string text = text_of(file);
+    text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return isdigit(c); }),
+               text.end());
+    return seen.insert(file.filename().string() + text).second;
+}
+
 /// Those in the folder that `-o` names that have a schema must fit it; others read them.
 void check_formats(const fs::path& here, const std::vector<std::string>& arguments) {
     const auto option = std::find(arguments.begin(), arguments.end(), "-o");
@@ -57,7 +67,7 @@ void check_formats(const fs::path& here, const std::vector<std::string>& argumen
     std::string files;
     for (const std::string name : {"report", "core", "words", "join", "segments", "explore"}) {
         const fs::path file = here / *(option + 1) / (name + ".json");
-        if (fs::exists(file)) files += " '" + file.string() + "'";
+        if (fs::exists(file) && is_new(file)) files += " '" + file.string() + "'";
     }
     if (files.empty()) return;
     FILE* const checker = popen((CHECK_JSON + files + " 2>&1").c_str(), "r");

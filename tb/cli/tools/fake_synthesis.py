@@ -78,8 +78,9 @@ def nextpnr(arguments):
     asked = float(arguments[arguments.index("--freq") + 1])
     if name == "nextpnr-ecp5" and Path("pll.v").exists():
         asked = float(Path("pll.v").read_text())
+    reached = (200 if name.endswith("gowin") else 100) + seed
     Path("report.json").write_text(json.dumps(
-        {"fmax": {"clk": {"achieved": 100 + seed, "constraint": asked}}}))
+        {"fmax": {"clk": {"achieved": reached, "constraint": asked}}}))
 
 
 def pack(arguments):
@@ -88,8 +89,8 @@ def pack(arguments):
 
 
 def ecppll(arguments):
-    """Rounds to multiples of 2 MHz."""
-    Path(arguments[-1]).write_text(str(float(arguments[arguments.index("-o") + 1]) // 2 * 2))
+    """Rounds to multiples of 5 MHz."""
+    Path(arguments[-1]).write_text(str(float(arguments[arguments.index("-o") + 1]) // 5 * 5))
 
 
 def other_pll(arguments):
