@@ -51,7 +51,7 @@ void wait_for_work(pid_t child, int ms) {
     }
 }
 
-/// Whether no file of this process was like it but for digits.
+/// Returns whether no file of this process was like it but for digits.
 bool is_new(const fs::path& file) {
     static std::set<std::string> seen;
     std::string text = text_of(file);

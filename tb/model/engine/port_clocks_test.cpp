@@ -25,16 +25,27 @@ struct Answer {
     int clocks;
 };
 constexpr int kTake = 5, kCheck = 6, kSelect = 7, kTakeRequest = 8;                 // OUT
-constexpr int kWordIn = 4, kCheckIn = 5, kOverride = 9;                             // IN
+constexpr int kPath = 26, kPathRate = 29;                                           // OUT
+constexpr int kWordIn = 4, kCheckIn = 5, kOverride = 9, kRegister = 32;             // IN
 constexpr int kSegmentWaits = 4, kPieceWaits = 5, kHolds = 6, kHeld = 8, kTag = 9;  // BR
 constexpr Answer kAnswers[] = {
-    {kSelect, Op::kBr, kTag, 5},        {kSelect, Op::kIn, kWordIn, 3},
-    {kSelect, Op::kIn, kCheckIn, 3},    {kSelect, Op::kBr, kHolds, 6},
-    {kTake, Op::kBr, kSegmentWaits, 3}, {kTake, Op::kBr, kPieceWaits, 3},
-    {kTake, Op::kBr, kTag, 5},          {kTake, Op::kIn, kWordIn, 3},
-    {kTake, Op::kIn, kCheckIn, 3},      {kTake, Op::kBr, kHolds, 6},
-    {kCheck, Op::kBr, kHolds, 5},       {kCheck, Op::kIn, kCheckIn, 2},
-    {kTakeRequest, Op::kBr, kHeld, 3},  {kTakeRequest, Op::kIn, kOverride, 2},
+    {kSelect, Op::kBr, kTag, 5},
+    {kSelect, Op::kIn, kWordIn, 3},
+    {kSelect, Op::kIn, kCheckIn, 3},
+    {kSelect, Op::kBr, kHolds, 6},
+    {kTake, Op::kBr, kSegmentWaits, 3},
+    {kTake, Op::kBr, kPieceWaits, 3},
+    {kTake, Op::kBr, kTag, 5},
+    {kTake, Op::kIn, kWordIn, 3},
+    {kTake, Op::kIn, kCheckIn, 3},
+    {kTake, Op::kBr, kHolds, 6},
+    {kCheck, Op::kBr, kHolds, 5},
+    {kCheck, Op::kIn, kCheckIn, 2},
+    {kTakeRequest, Op::kBr, kHeld, 3},
+    {kTakeRequest, Op::kIn, kOverride, 2},
+    // A request between them has its two clocks: rtl/bus/register_file.sv.
+    {kPath, Op::kIn, kRegister, 4},
+    {kPathRate, Op::kIn, kRegister, 4},
 };
 
 class ShortWays {
@@ -79,7 +90,9 @@ class ShortWays {
     const Instruction& here(std::size_t at) const { return assembly_.placed()[at].instruction; }
     bool is_branch(std::size_t at) const { return engine::is_branch(here(at).op); }
     static bool asks(const Instruction& i, const Answer& answer) {
-        return i.op == answer.by && (i.op == Op::kIn ? i.f0 & 31 : i.f0 & 15) == answer.asked;
+        if (i.op != answer.by) return false;
+        const int asked = i.op == Op::kIn ? i.f0 & 31 : i.f0 & 15;
+        return answer.asked == kRegister ? asked >= 8 && asked < 26 : asked == answer.asked;
     }
 
     /// Least clocks from the last limb of an OUT to the first term of each instruction.
