@@ -33,13 +33,16 @@ std::vector<PlacedBoard> placed_boards() {
     return placed;
 }
 
-/// Finds a placed board of this build and family; null: none.
+/// Finds a placed board of this build with this device, or with one of its family; null: none.
 const PlacedBoard* placed_board(Build build, const Device& device) {
     static const std::vector<PlacedBoard> kPlaced = placed_boards();
-    const auto found = std::find_if(kPlaced.begin(), kPlaced.end(), [&](const PlacedBoard& board) {
-        return board.core.build == build && board.device->family == device.family;
-    });
-    return found == kPlaced.end() ? nullptr : &*found;
+    const PlacedBoard* of_family = nullptr;
+    for (const PlacedBoard& board : kPlaced) {
+        if (board.core.build != build) continue;
+        if (board.device == &device) return &board;
+        if (of_family == nullptr && board.device->family == device.family) of_family = &board;
+    }
+    return of_family;
 }
 
 /// The cost of the engine's board, which has the same circuits for words of any width; its store is
