@@ -11,9 +11,9 @@ namespace curvecore::sysc {
 bool board_cost_is_known(Build build, const Device& device);
 
 /// Estimates a whole board with this core: the cost of a placed board with this device, or else one
-/// of its family (sysc/cost/placed_boards.json), with its core's estimate replaced by this one's, blocks of RAM
-/// for queues of 1,024 words, and the clock that was reached; of the engine the cost of the
-/// placed board. None where no board of this build and family was placed.
+/// of its family (sysc/cost/placed_boards.json), with its core's estimate replaced by this one's,
+/// blocks of RAM for queues of 1,024 words, and the clock that was reached; of the engine the cost
+/// of the placed board. None where no board of this build and family was placed.
 std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& parameters,
                                            const Device& device);
 
