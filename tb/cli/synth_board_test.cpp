@@ -196,7 +196,7 @@ const std::vector<BadBoard> kBadBoards{
     {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",
      "Axes (FineBits + 7) + 4 clocks must fit"},
     {"BaudTooFast", R"({"baud": 15000000})", "15000000 baud: a bit has 6 clocks, and not 8"},
-    {"BaudOff", R"({"baud": 8570000})", "8570000 baud: 11 clocks a bit are -4.5% off"},
+    {"BaudOff", R"({"baud": 8260000})", "8260000 baud: 12 clocks a bit are -4.2% off"},
     {"UnknownFamily", R"({"family": "max10"})", "unknown family 'max10': one of ecp5, ice40"},
     {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
     {"UnknownEntry", R"({"colour": "green"})", "'colour': a board has board, part, "},
