@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes over SPI (mode 0, most significant bit first), both ways at once, for the frames of a UART.
-// sclk_i is sampled: at least 16 clocks a bit. The idle byte is the one that ends a frame, in both
-// directions. Inside a frame, whose next byte may wait for writes between its reads, it would end
-// the frame: two escapes go out, which are no byte. Received bytes must be taken at once.
+// sclk_i is sampled: at least 12 clocks a bit, 6 of each level; miso_o changes 4 or 5 clocks after
+// sclk_i has fallen. The idle byte is the one that ends a frame, in both directions. In a frame,
+// whose next byte may wait for writes between its reads, it would end the frame: two escapes go
+// out, which are no byte. Received bytes must be taken at once.
 //
 //   cs_ni         ^^\_________________________________________________/^^
 //   mosi_i          | byte            | byte            | ..

@@ -31,7 +31,7 @@ class SpiLine:
     """A line that works both ways at once: a listener sends idle bytes."""
 
     def __init__(self, dut):
-        self.master = spi_master(dut, 8)
+        self.master = spi_master(dut, 8, clocks=12.5)
         self.received = deque()
         self.last = IDLE
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""cocotbext-spi's master, 16 clocks of 10 ns a bit, and between words."""
+"""cocotbext-spi's master; a clock has 10 ns."""
 
 import cocotb.clock
 from cocotb.types import Logic
@@ -11,7 +11,8 @@ Logic.integer = property(int)
 from cocotbext.spi import SpiBus, SpiConfig, SpiMaster  # noqa: E402
 
 
-def spi_master(dut, bits):
-    """Returns a master for words of this number of bits."""
+def spi_master(dut, bits, clocks):
+    """Returns a master for words of this number of bits, each of so many clocks, as between words.
+    """
     return SpiMaster(SpiBus.from_prefix(dut, "spi"), SpiConfig(
-        word_width=bits, sclk_freq=1e9 / 160, frame_spacing_ns=160))
+        word_width=bits, sclk_freq=1e8 / clocks, frame_spacing_ns=10 * clocks))

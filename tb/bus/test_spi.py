@@ -19,7 +19,7 @@ async def every_access_is_answered_as_described(dut):
     dut.rst_n.value = 0
     start_clock(dut.clk)
     await RisingEdge(dut.clk)
-    master = spi_master(dut, BITS)
+    master = spi_master(dut, BITS, clocks=16)
     for _ in range(4):
         await RisingEdge(dut.clk)
     dut.rst_n.value = 1

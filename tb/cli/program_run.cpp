@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -51,12 +52,11 @@ void wait_for_work(pid_t child, int ms) {
     }
 }
 
-/// Returns whether no file of this process was like it but for digits.
+/// Returns whether no file of this process was like it but for digits, signs and exponents.
 bool is_new(const fs::path& file) {
     static std::set<std::string> seen;
-    std::string text = text_of(file);
-    text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return isdigit(c); }),
-               text.end());
+    static const std::regex digits("-?[0-9]+(e[-+][0-9]+)?");
+    const std::string text = std::regex_replace(text_of(file), digits, "");
     return seen.insert(file.filename().string() + text).second;
 }
 

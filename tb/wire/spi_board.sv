@@ -2,8 +2,9 @@
 // The virtual board's RTL (sysc/virtual/virtual_board.cpp) behind SPI's pins.
 `default_nettype none
 module spi_board #(
-    parameter Program = "",
-    parameter Data    = ""
+    parameter int PeriodLog2 = 13,
+    parameter     Program    = "",
+    parameter     Data       = ""
 ) (
     input  wire logic       clk_i,
     input  wire logic       rst_ni,
@@ -35,6 +36,7 @@ module spi_board #(
   );
   motion_board #(
       .ClockHertz       (5_120_000),
+      .PeriodLog2       (PeriodLog2),
       .SegmentQueueWords(4096),
       .Program          (Program),
       .Data             (Data)

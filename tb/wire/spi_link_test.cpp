@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's end of SPI against the Verilated board's pins, 16 clocks a bit. The clock runs with
-// SPI's: a board without requests stands still.
+// The host's end of SPI against the Verilated board's pins, 12 clocks a bit.
 #include "sysc/link/spi_link.hpp"
 
 #include <gtest/gtest.h>
@@ -11,68 +10,13 @@
 #include <thread>
 
 #include "Vspi_board.h"
-#include "sysc/cores/clocked_dut.hpp"
 #include "sysc/virtual/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 #include "sysc/wire/wire_stream.hpp"
+#include "tb/wire/spi_pins.hpp"
 
 namespace curvecore::sysc {
 namespace {
-
-constexpr int kHalfBit = 8;  // clocks
-
-/// Steps: clock, axis, direction.
-using Steps = std::vector<std::array<std::int64_t, 3>>;
-
-class Pins : public SpiBus {
-  public:
-    explicit Pins(Steps& steps) : steps_(steps) {
-        dut_.limit_cycles(~std::uint64_t(0));
-        dut_->cs_ni = 1;
-        dut_->sclk_i = 0;
-        dut_->mosi_i = 0;
-        dut_.reset();
-    }
-
-    Bytes exchange(const Bytes& bytes) override {
-        Bytes came;
-        dut_->cs_ni = 0;
-        for (const std::uint8_t byte : bytes) {
-            unsigned in = 0;
-            for (int bit = 7; bit >= 0; --bit) {
-                dut_->mosi_i = byte >> bit & 1;
-                pass(kHalfBit);
-                in = in << 1 | dut_->miso_o;
-                dut_->sclk_i = 1;
-                pass(kHalfBit);
-                dut_->sclk_i = 0;
-            }
-            came.push_back(static_cast<std::uint8_t>(in));
-        }
-        pass(kHalfBit);
-        dut_->cs_ni = 1;
-        pass(kHalfBit);
-        return came;
-    }
-
-  private:
-    void pass(int clocks) {
-        for (; clocks > 0; --clocks) {
-            dut_.tick();
-            const unsigned rises = dut_->step_o & ~level_;
-            level_ = dut_->step_o;
-            for (int axis = 0; rises >> axis != 0; ++axis) {
-                if ((rises >> axis & 1) == 0) continue;
-                const int way = (dut_->direction_o >> axis & 1) != 0 ? -1 : 1;
-                steps_.push_back({static_cast<std::int64_t>(dut_.cycle()), axis, way});
-            }
-        }
-    }
-
-    ClockedDut<Vspi_board> dut_;
-    Steps& steps_;
-    unsigned level_ = 0;
-};
 
 /// Draws the program and returns the link's figures.
 LinkFigures draw(Link& link, const std::string& part) {
@@ -118,7 +62,7 @@ TEST(SpiLink, DrawsTheStepsThatUdpDraws) {
         board.join();
     }
     Steps over_spi;
-    SpiLink link(std::make_unique<Pins>(over_spi), 5'120'000 / (2.0 * kHalfBit));
+    SpiLink link(std::make_unique<SpiPins<Vspi_board>>(over_spi), 5'120'000 / (2.0 * kHalfBit));
     const LinkFigures figures = draw(link, part);
     EXPECT_GT(over_udp.size(), 5000U);
     EXPECT_EQ(over_spi.size(), over_udp.size());
