@@ -28,6 +28,7 @@ def synthesis():
             r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
             f"{r['Order']} / {r['CoefBits']} / {r['PositionBits']}.{r['GuardBits']}",
             "series" if int(r["Mode"]) == 0 else "polynomial",
+            r["Networks"] if r["build"] == "parallel" else "-",
             r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
             f"{float(r['fmax_mhz']):.0f}",
             r["lut4"],
@@ -41,8 +42,9 @@ def synthesis():
     ]
     if not rows:
         return None
-    head = ["core-build", "device", "Order / CoefBits / position", "sampler", "clocks per sample"]
-    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds", "tree"], rows)
+    head = ["core-build", "device", "Order / CoefBits / position", "sampler", "Networks"]
+    head += ["clocks per sample", "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds", "tree"]
+    return table(head, rows)
 
 
 def networks():
@@ -104,16 +106,18 @@ def hls():
 
 
 def sizes():
-    """Five rows of the table of sizes."""
+    """Some rows of the table of sizes."""
     head, rows = cells("synthesis")
     wanted = (
-        ("spherical-parallel", "ecp5-85, speed 6", "1"),
-        ("spherical-parallel", "ecp5-25, speed 6", "4"),
-        ("spline-parallel", "ecp5-25, speed 6", "4"),
-        ("curve-serial", "ecp5-25, speed 6", "20 to 50"),
-        ("curve-serial", "up5k", "20 to 50"),
+        ("spherical-parallel", "ecp5-85, speed 6", "1", "1"),
+        ("spherical-parallel", "ecp5-25, speed 6", "1", "4"),
+        ("spherical-parallel", "ecp5-25, speed 6", "0", "4"),
+        ("spline-parallel", "ecp5-25, speed 6", "1", "4"),
+        ("curve-serial", "ecp5-25, speed 6", "-", "20 to 50"),
+        ("curve-serial", "up5k", "-", "20 to 50"),
     )
-    columns = [head.index(name) for name in ("core-build", "device", "clocks per sample")]
+    columns = [head.index(name)
+               for name in ("core-build", "device", "Networks", "clocks per sample")]
     found = [next(row for row in rows if tuple(row[c] for c in columns) == key) for key in wanted]
     shown = [*columns, *(head.index(name) for name in ("MHz", "LUT4", "FF", "DSP", "BRAM"))]
     return table([head[c] for c in shown], [[row[c] for c in shown] for row in found])
