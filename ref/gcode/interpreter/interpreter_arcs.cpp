@@ -90,7 +90,7 @@ Eigen::Vector2d Interpreter::fitted_centre(const Eigen::Vector2d& start, const E
     const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
     const Eigen::Vector2d zero(coordinates_.absolute_centre(axes[0], 0),
                                coordinates_.absolute_centre(axes[1], 0));
-    const Eigen::Vector2d absolute = centre - start + zero;
+    Eigen::Vector2d absolute = centre - start + zero;
     const bool g90_1 = !modes_.absolute_centre && fits(absolute);
     if (fits(centre) || centre == start || centre == end) {
         centres_shown_ = centres_shown_ || !g90_1;
