@@ -8,7 +8,7 @@
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
 #
 #   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
-#   overrides  every program at overrides of 1..200 %, a seventh of them in the system
+#   overrides  every program at overrides of 1..200 %, at some in the system and on the engine
 #   models     tests of models with all their random cases, 10^4 cubics at slow clocks
 #   equality   N samples of the RTL against the kernel, in every configuration
 #   microcode  N words of the engine's twin, and 10^5 samples of its RTL, in every configuration

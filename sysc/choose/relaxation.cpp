@@ -154,41 +154,50 @@ std::string frequency_text(double hz) {
     return scaled(hz, {{1e6, "MHz"}, {1e3, "kHz"}, {1, "Hz"}});
 }
 
-std::vector<Relaxation> relaxations(const Requirement& requirement) {
+std::vector<Relaxation> relaxations(const Requirement& requirement,
+                                    const std::function<void(int)>& tried) {
     Search search(requirement);
-    search.number(
+    std::vector<std::function<void()>> searches;
+    const auto number = [&](const char* name, double asked, double farthest, const Change& change,
+                            const std::function<std::string(double)>& text) {
+        searches.emplace_back([=, &search] { search.number(name, asked, farthest, change, text); });
+    };
+    number(
         "error", requirement.error_mm, kMostFactor,
         [](Requirement& other, double factor) { other.error_mm *= factor; }, length_text);
-    search.unit();
+    searches.emplace_back([&] { search.unit(); });
     if (requirement.arcs()) {
-        search.number(
-            "radius", requirement.radius_mm,
-            std::max(1 / kMostFactor, requirement.least_radius_mm / requirement.radius_mm),
-            reach(&Requirement::radius_mm, &Requirement::length_mm), length_text);
+        number("radius", requirement.radius_mm,
+               std::max(1 / kMostFactor, requirement.least_radius_mm / requirement.radius_mm),
+               reach(&Requirement::radius_mm, &Requirement::length_mm), length_text);
     }
     if (requirement.splines()) {
-        search.number("length", requirement.length_mm, 1 / kMostFactor,
-                      reach(&Requirement::length_mm, &Requirement::radius_mm), length_text);
+        number("length", requirement.length_mm, 1 / kMostFactor,
+               reach(&Requirement::length_mm, &Requirement::radius_mm), length_text);
     }
     if (requirement.arcs()) {
-        search.number(
+        number(
             "least radius", requirement.least_radius_mm,
             requirement.radius_mm / requirement.least_radius_mm,
             [](Requirement& other, double factor) { other.least_radius_mm *= factor; },
             length_text);
     }
-    search.number(
+    number(
         "feed", requirement.feed, 1 / kMostFactor,
         [](Requirement& other, double factor) { other.feed *= factor; }, feed_text);
-    search.number(
+    number(
         "sample rate", 1 / requirement.sample_period_s, 1 / kMostFactor,
         [](Requirement& other, double factor) { other.sample_period_s /= factor; }, frequency_text);
-    search.clock();
-    search.number(
+    searches.emplace_back([&] { search.clock(); });
+    number(
         "host words", requirement.host_words, kMostFactor,
         [](Requirement& other, double factor) { other.host_words *= factor; },
         [](double words) { return fmt::format("{:.4g}/s", words); });
-    search.device();
+    searches.emplace_back([&] { search.device(); });
+    for (std::size_t n = 0; n < searches.size(); ++n) {
+        searches[n]();
+        tried(static_cast<int>(100 * (n + 1) / searches.size()));
+    }
     return search.found();
 }
 

@@ -2,6 +2,7 @@
 // Relaxations of a requirement that no configuration meets.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct Relaxation {
 };
 
 /// Relaxes error, unit, radius, length, least radius, feed, sample rate, clock, host and device;
-/// returns those that help alone.
-std::vector<Relaxation> relaxations(const Requirement& requirement);
+/// returns those that help alone. `tried` hears the percentage that is done.
+std::vector<Relaxation> relaxations(const Requirement& requirement,
+                                    const std::function<void(int)>& tried);
 
 /// Length as text: "1.3 um"; the functions below give "10 m/min", "24 MHz".
 std::string length_text(double mm);

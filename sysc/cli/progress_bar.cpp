@@ -10,8 +10,10 @@
 
 namespace curvecore::sysc {
 
-ProgressBar::ProgressBar(std::uint64_t total, bool quiet)
-    : total_(std::max<std::uint64_t>(total, 1)), on_(!quiet && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::uint64_t total, bool quiet, Counts counts)
+    : total_(std::max<std::uint64_t>(total, 1)),
+      counts_(counts),
+      on_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
     if (!shown_) return;
@@ -28,9 +30,12 @@ void ProgressBar::update(std::uint64_t done) {
     const double seconds = std::chrono::duration<double>(now - begin_).count();
     constexpr std::size_t kWidth = 40;
     const auto filled = static_cast<std::size_t>(part * kWidth);
-    fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {:.2f} M samples/s  {:.0f} s left ",
-               std::string(filled, '#'), std::string(kWidth - filled, '.'), part * 100,
-               static_cast<double>(done) / seconds / 1e6, seconds / part - seconds);
+    fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  ", std::string(filled, '#'),
+               std::string(kWidth - filled, '.'), part * 100);
+    if (counts_ == Counts::kSamples) {
+        fmt::print(stderr, "{:.2f} M samples/s  ", static_cast<double>(done) / seconds / 1e6);
+    }
+    fmt::print(stderr, "{:.0f} s left ", seconds / part - seconds);
     std::fflush(stderr);
     shown_ = true;
 }

@@ -9,7 +9,10 @@ namespace curvecore::sysc {
 
 class ProgressBar {
   public:
-    ProgressBar(std::uint64_t total, bool quiet);
+    /// Kinds of things that are counted; the bar shows the rate of samples.
+    enum class Counts { kSamples, kParts };
+
+    ProgressBar(std::uint64_t total, bool quiet, Counts counts = Counts::kSamples);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -20,6 +23,7 @@ class ProgressBar {
     using Clock = std::chrono::steady_clock;
 
     std::uint64_t total_;
+    Counts counts_;
     bool on_;
     bool shown_ = false;
     Clock::time_point begin_ = Clock::now();

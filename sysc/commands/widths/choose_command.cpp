@@ -9,6 +9,7 @@
 #include "sysc/choose/candidate.hpp"
 #include "sysc/choose/choose_report.hpp"
 #include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/progress_bar.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
@@ -93,7 +94,12 @@ int choose_command(ChooseOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     ChooseReport report{
         options.requirement, Chooser(options.requirement).smallest(kListed), {}, {}, 0};
-    if (report.choices.empty()) report.relaxations = relaxations(options.requirement);
+    if (report.choices.empty()) {
+        ProgressBar bar(100, options.quiet, ProgressBar::Counts::kParts);
+        report.relaxations = relaxations(options.requirement, [&bar](int percent) {
+            bar.update(static_cast<std::uint64_t>(percent));
+        });
+    }
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     bool held = true;

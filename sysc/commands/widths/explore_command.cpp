@@ -59,7 +59,8 @@ int explore_command(ExploreOptions& asked) {
     const Job planned = plan_and_check(stream);
     OutputFolder folder(options.folder);
     constexpr std::uint64_t kParts = 1000;
-    std::optional<ProgressBar> bar(std::in_place, kParts, options.quiet);
+    std::optional<ProgressBar> bar(std::in_place, kParts, options.quiet,
+                                   ProgressBar::Counts::kParts);
     const auto progress = [&bar](double share) {
         InterruptGuard::check();
         bar->update(static_cast<std::uint64_t>(share * kParts));

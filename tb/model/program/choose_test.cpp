@@ -155,7 +155,7 @@ TEST(ChooseControl, RelaxationsArePossibleAndNeeded) {
     requirement.unit_mm = 1e-3;
     requirement.error_mm = 0.4e-3;  // below the rounding to the unit
     EXPECT_TRUE(Chooser(requirement).smallest(1).empty());
-    const std::vector<Relaxation> found = relaxations(requirement);
+    const std::vector<Relaxation> found = relaxations(requirement, [](int) {});
     ASSERT_GE(found.size(), 2U);
     EXPECT_EQ(found[0].name, "error");
     EXPECT_GT(found[0].possible, 0.5e-3);
