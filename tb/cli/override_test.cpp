@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "tb/cli/program_run.hpp"
 
@@ -27,7 +28,8 @@ void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
 
 /// Returns the system's clock: few enough clocks a sample that a Verilated core is no slower than
 /// one alone, and enough for the steps.
-Arguments clock_for(const std::string& file) {
+Arguments clock_for(const Board& board, const std::string& file) {
+    if (std::string(board.name).find("SystemC") != 0) return {};
     const std::set<std::string> fast{"aux_axes.ngc", "butterfly.ngc", "demo.ngc", "helix.ngc"};
     return {"--clock", fast.count(file) != 0 ? "1280kHz" : "256kHz"};
 }
@@ -48,31 +50,10 @@ const std::vector<Board> kBoards{
 /// A sample takes 2,000 clocks.
 const Board kEngine{"Engine", {"--build", "engine"}, {50, 99, 150}};
 
-class Override : public testing::TestWithParam<Board> {
-  protected:
-    /// Number of samples of a run whose checks all held.
-    std::uint64_t samples(const std::string& file, const std::string& holds, int percent) {
-        const Arguments arguments = Arguments{"run",
-                                              std::string(DATA_DIR "/") + file,
-                                              "-q",
-                                              "-o",
-                                              "out",
-                                              "--no-segments",
-                                              "--rows",
-                                              "1",
-                                              "--sample-period",
-                                              "1ms",
-                                              "--holds",
-                                              holds,
-                                              "--override",
-                                              std::to_string(percent)} +
-                                    GetParam().options + clock_of(file);
-        const ProgramResult result = program_.run(arguments);
-        EXPECT_EQ(result.status, 0) << file << " " << holds << " " << percent << " %\n"
-                                    << result.err;
-        if (result.status != 0) return 0;
-        return Json::parse(program_.read("out/report.json"))["samples"];
-    }
+/// Programs at overrides on one board.
+class OverrideRun {
+  public:
+    explicit OverrideRun(Board board) : board_(std::move(board)) {}
 
     /// Checks runs at `percents`: the number of samples follows the rate of time or the feeds, but
     /// is never lower than limits allow.
@@ -89,45 +70,68 @@ class Override : public testing::TestWithParam<Board> {
         }
     }
 
-    static Arguments clock_of(const std::string& file) {
-        const bool system = std::string(GetParam().name).find("SystemC") == 0;
-        return system ? clock_for(file) : Arguments();
+  private:
+    /// Number of samples of a run whose checks all held.
+    std::uint64_t samples(const std::string& file, const std::string& holds, int percent) {
+        const Arguments arguments = Arguments{"run",
+                                              std::string(DATA_DIR "/") + file,
+                                              "-q",
+                                              "-o",
+                                              "out",
+                                              "--no-segments",
+                                              "--rows",
+                                              "1",
+                                              "--sample-period",
+                                              "1ms",
+                                              "--holds",
+                                              holds,
+                                              "--override",
+                                              std::to_string(percent)} +
+                                    board_.options + clock_for(board_, file);
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 0) << file << " " << holds << " " << percent << " %\n"
+                                    << result.err;
+        if (result.status != 0) return 0;
+        return Json::parse(program_.read("out/report.json"))["samples"];
     }
 
+    Board board_;
     ProgramRun program_;
 };
 
+class Override : public testing::TestWithParam<Board> {};
+
 /// The program's words fill the profile queue long before it ends.
-TEST_P(Override, DrawsAProgramThatFillsTheQueue) { draw("stops.ngc", {10}); }
+TEST_P(Override, DrawsAProgramThatFillsTheQueue) {
+    OverrideRun(GetParam()).draw("stops.ngc", {10});
+}
 
 INSTANTIATE_TEST_SUITE_P(Cli, Override, testing::ValuesIn(kBoards),
                          [](const auto& test) { return test.param.name; });
 
 /// More programs, on the fastest board.
-class KernelOverride : public Override {};
+class KernelOverride : public testing::TestWithParam<Board> {};
 
 TEST_P(KernelOverride, DrawsProgramsThatFillTheQueue) {
-    draw("stops.ngc", {1, 50, 120});
-    draw("arcs.ngc", {3, 50});
-    draw("corner_chain.ngc", {90});
+    OverrideRun kernel(GetParam());
+    kernel.draw("stops.ngc", {1, 50, 120});
+    kernel.draw("arcs.ngc", {3, 50});
+    kernel.draw("corner_chain.ngc", {90});
 }
 
 INSTANTIATE_TEST_SUITE_P(Cli, KernelOverride, testing::Values(kBoards.front()),
                          [](const auto& test) { return test.param.name; });
 
-/// All programs at all overrides, on slower boards at some, 99 % too: an hour.
-class LongOverride : public Override {};
+/// All programs at all overrides, on slower boards at some, 99 % too: hours.
+class LongOverride : public testing::TestWithParam<std::tuple<Board, std::string>> {};
 
-TEST_P(LongOverride, DrawsEveryProgramAtEveryPercent) {
-    std::vector<int> percents = GetParam().percents;
-    for (int percent = 1; GetParam().percents.empty() && percent <= 200; ++percent) {
+TEST_P(LongOverride, DrawsAProgramAtEveryPercent) {
+    const auto& [board, program] = GetParam();
+    std::vector<int> percents = board.percents;
+    for (int percent = 1; board.percents.empty() && percent <= 200; ++percent) {
         percents.push_back(percent);
     }
-    for (const auto& entry : std::filesystem::directory_iterator(DATA_DIR)) {
-        const std::string kind = entry.path().extension();
-        const std::string file = entry.path().filename();
-        if (kind == ".ngc" || file == "points.csv") draw(file, percents, {"branches", "bounds"});
-    }
+    OverrideRun(board).draw(program, percents, {"branches", "bounds"});
 }
 
 std::vector<Board> long_boards() {
@@ -136,8 +140,25 @@ std::vector<Board> long_boards() {
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, LongOverride, testing::ValuesIn(long_boards()),
-                         [](const auto& test) { return test.param.name; });
+std::vector<std::string> programs() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(DATA_DIR)) {
+        const std::string name = entry.path().filename();
+        if (entry.path().extension() == ".ngc" || name == "points.csv") names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string board_and_program(const testing::TestParamInfo<LongOverride::ParamType>& test) {
+    const auto& [board, program] = test.param;
+    return board.name + ("_" + program.substr(0, program.find('.')));
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, LongOverride,
+                         testing::Combine(testing::ValuesIn(long_boards()),
+                                          testing::ValuesIn(programs())),
+                         board_and_program);
 
 }  // namespace
 }  // namespace curvecore::tb
