@@ -3,6 +3,7 @@
 """Runs the commands of every README.md, in order: each line of a block marked sh.
 
     scripts/readme_commands.py [--program FILE]   the short ones, in a folder of their own
+    scripts/readme_commands.py --try              of these, those of README.md's "Try it"
     scripts/readme_commands.py --fresh            README.md's, all of them, in a fresh clone of HEAD
     scripts/readme_commands.py --list             says which are short, and why others are not
 
@@ -41,8 +42,10 @@ LONG = {
 }
 
 
-def commands(page):
+def commands(page, section=""):
     text = page.read_text()
+    if section:
+        text = text.partition(section)[2].partition("\n## ")[0]
     for block in re.findall(r"^ *```sh\n(.*?)^ *```$", text, re.S | re.M):
         for line in block.split("\n"):
             command = re.sub(r"\s+#\s.*", "", line).strip()
@@ -65,7 +68,7 @@ def run(command, folder, open_files=()):
         sys.exit(f"{command}: exit status {done.returncode}")
 
 
-def short(program):
+def short(program, typed):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for entry in ROOT.iterdir():
@@ -76,14 +79,15 @@ def short(program):
         shutil.copy(ROOT / "tb/data/demo.ngc", folder / "part.ngc")
         ran = set()
         ended, open_end = os.pipe()  # kept open by what a command leaves in the background
-        for page in PAGES:
-            for command in commands(page):
-                if reason(command) is None and command not in ran:
-                    run(command, folder, (open_end,))
-                    ran.add(command)
+        for command in typed:
+            if reason(command) is None and command not in ran:
+                run(command, folder, (open_end,))
+                ran.add(command)
         os.close(open_end)
         os.read(ended, 1)  # boards write what they drew before they end
         print(f"{len(ran)} commands")
+        if not ran:
+            sys.exit("there are none")
 
 
 def fresh():
@@ -98,6 +102,7 @@ def fresh():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/curvecore")
+    parser.add_argument("--try", action="store_true", dest="first", help="README.md's Try it")
     parser.add_argument("--fresh", action="store_true", help="README.md's in a fresh clone")
     parser.add_argument("--list", action="store_true", help="list the commands only")
     arguments = parser.parse_args()
@@ -107,8 +112,10 @@ def main():
                 print(f"{page.relative_to(ROOT)}: {command}: {reason(command) or 'short'}")
     elif arguments.fresh:
         fresh()
+    elif arguments.first:
+        short(arguments.program, commands(ROOT / "README.md", "\n## Try it\n"))
     else:
-        short(arguments.program)
+        short(arguments.program, [command for page in PAGES for command in commands(page)])
 
 
 if __name__ == "__main__":
