@@ -173,7 +173,7 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 60;  // of a sample, besides its curve
 constexpr int kEngineRestClocks = 214;   // the loop: a request and the sample
-constexpr int kEngineTickClocks = 1998;  // of time, with a piece that begins
+constexpr int kEngineTickClocks = 2059;  // of time, with a piece that begins
 
 /// Steps of a stop branch that the engine loads in a tick, while it has no piece to fetch.
 constexpr int kEngineBranchSteps = 2;

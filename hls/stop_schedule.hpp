@@ -2,11 +2,11 @@
 // Stop branches as they pass: the one that a stop may take, and the time when it begins. Twin:
 // rtl/time/stop_memory.sv.
 //
-// A branch stands before a piece. If the piece begins in a tick of rate 1, the branch is the next
-// one: due kStopLead ticks later, when every tick on its way has been taken. At other rates it
-// cannot be taken, but reports, as late, the time until the next one. So does a program's first
-// piece without a branch: branches before the program no longer count. A branch before the last
-// one's due time is left out.
+// A branch stands before a piece. It is due kStopLead ticks of path time after the tick in which
+// the piece began, so that every tick on its way has been taken; and it can be taken if time rested
+// in that tick and in all since. Else it only reports the time until the next one. So does a
+// program's first piece without a branch: branches before the program no longer count. A branch
+// before the last one's due time is left out.
 #pragma once
 
 #include <array>
@@ -32,11 +32,25 @@ class StopSchedule {
         banks_[write_][static_cast<std::size_t>(count_++ % kStopSteps)] = step;
     }
 
-    /// Returns what is due, once per tick, before its rate is made.
+    /// Makes a tick of time with the branches; returns its rate.
+    std::int32_t tick(TimeScaler& scaler, std::int32_t target, bool idle) {
+        const std::int32_t rate = scaler.tick(target, idle, due(), [this] { return next_step(); });
+        count(scaler.steady(), scaler.passed());
+        return rate;
+    }
+
+    /// Returns what is due, once, before the rate of a tick is made.
     StopDue due() {
-        if (gap_ <= kStopLead) ++gap_;
-        if (due_ == 0 || --due_ > 0) return {};
+        if (left_ != 0) return {};
+        left_ = -1;
         return next_;
+    }
+
+    /// Counts a tick: TimeScaler::steady(), passed().
+    void count(bool steady, bool passed) {
+        steady_ = steady;
+        if (!steady) next_.begins = false;
+        if (passed && left_ > 0) --left_;
     }
 
     /// Returns the next step of the branch that was due last.
@@ -44,17 +58,16 @@ class StopSchedule {
         return banks_[1 - write_][static_cast<std::size_t>(read_++ % kStopSteps)];
     }
 
-    /// Begins the next piece in a tick of this rate; `first`: of a program.
-    void begin_piece(std::int32_t rate, bool first) {
-        if ((loaded_ || first) && gap_ > kStopLead) {
-            const bool begins = loaded_ && rate == 1 << 16;
+    /// Begins the next piece in the tick that was counted last; `first`: of a program.
+    void begin_piece(bool first) {
+        if ((loaded_ || first) && left_ < 0) {
+            const bool begins = loaded_ && steady_;
             if (begins) {
                 write_ = 1 - write_;
                 read_ = 0;
             }
             next_ = StopDue(loaded_ ? next_wait_ : 1, begins);
-            due_ = kStopLead;
-            gap_ = 0;
+            left_ = kStopLead - 1;
         }
         loaded_ = false;
     }
@@ -67,8 +80,8 @@ class StopSchedule {
     std::int32_t next_wait_ = 0;
     StopDue next_;
     int read_ = 0;
-    int due_ = 0;
-    int gap_ = kStopLead + 1;  // ticks since the last one that counted
+    bool steady_ = false;  // the last tick
+    int left_ = -1;        // ticks of path time until next_ is due; -1: it was
 };
 
 }  // namespace hls

@@ -178,6 +178,7 @@ spline_interpolator.sv
 time/idle_gate.sv
 time/motion_settings.sv
 time/rate_generator.sv
+time/scaled_rate.sv
 time/standstill.sv
 time/stop_memory.sv
 time/stop_taker.sv

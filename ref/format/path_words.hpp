@@ -24,6 +24,9 @@ constexpr int kStopSteps = 256;     // steps of a branch that the core keeps
 constexpr int kStopWaitBits = 20;   // ticks from one branch to the next
 constexpr int kStepTicksBits = 11;  // bits of a step's ticks
 
+/// Rate of time, 2^-16, from which on a stop takes a branch: below, the bounds are as quick.
+constexpr int kBranchRate = 9 << 12;
+
 /// Rate of time, 2^-16, from which on the time scaler (hls/time_scaler.hpp) takes 2^-3 of its
 /// bounds.
 constexpr int kFineRate = 7 << 13;

@@ -33,7 +33,7 @@ struct StopStep {
 /// pieces[piece] has begun (ref/format/path_words.hpp).
 struct PlannedBranch {
     std::size_t piece = 0;
-    std::uint32_t wait = 1;  // ticks at the rate 1 until the next one, or the end, at most
+    std::uint32_t wait = 1;  // ticks of path time until the next one, or the end, at most
     std::vector<StopStep> steps;
 };
 

@@ -35,6 +35,8 @@ module path_generator #(
 
     // Stop branches, to the time scaler: rtl/time/stop_memory.sv
     input  wire logic        scaled_i,      // a tick that the scaler takes
+    input  wire logic        steady_i,
+    input  wire logic        passed_i,
     output logic      [20:0] due_o,         // begins, next_wait
     output logic             step_valid_o,
     input  wire logic        step_ready_i,
@@ -99,7 +101,6 @@ module path_generator #(
       .final_o(next_final_o)
   );
 
-  logic full;
   stop_memory u_stops (
       .clk_i,
       .rst_ni,
@@ -109,8 +110,9 @@ module path_generator #(
       .tick_taken_i(tick_taken_o),
       .take_i(piece_take_o),
       .first_i(!active_o),
-      .full_i(full),
       .tick_i(scaled_i),
+      .steady_i,
+      .passed_i,
       .next_wait_o(due_o[19:0]),
       .begins_o(due_o[20]),
       .step_valid_o,
@@ -155,7 +157,6 @@ module path_generator #(
       .rate_i,
       .held_i,
       .tick_taken_o,
-      .full_o(full),
       .valid_o(event_valid),
       .begin_o(event_begin),
       .still_o(event_still),

@@ -144,6 +144,8 @@ module path_interpolator #(
   logic wanted;
   logic [3:0] samples_per_tick_log2;
   logic scaled;
+  logic steady;
+  logic passed;
   logic [20:0] due;
   logic step_valid;
   logic step_ready;
@@ -179,6 +181,8 @@ module path_interpolator #(
       .rate_o(rate),
       .held_o(held),
       .scaled_o(scaled),
+      .steady_o(steady),
+      .passed_o(passed),
       .due_i(due),
       .step_valid_i(step_valid),
       .step_ready_o(step_ready),
@@ -212,6 +216,8 @@ module path_interpolator #(
       .held_i(held),
       .tick_taken_o(tick_taken),
       .scaled_i(scaled),
+      .steady_i(steady),
+      .passed_i(passed),
       .due_o(due),
       .step_valid_o(step_valid),
       .step_ready_i(step_ready),

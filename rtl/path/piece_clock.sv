@@ -43,7 +43,6 @@ module piece_clock #(
     input  wire logic [16:0] rate_i,
     input  wire logic        held_i,        // its target is 0
     output logic             tick_taken_o,
-    output logic             full_o,        // its rate is 1
 
     // Events
     output logic                valid_o,
@@ -102,7 +101,6 @@ module piece_clock #(
 
   assign next_take_o  = passes;
   assign tick_taken_o = runs || passes || stops;
-  assign full_o       = head_q[16];
   assign rate_ready_o = advance;
 
   logic signed [37:0] after;

@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
     file.print("\n  // Sizes of stop branches: hls/stop_schedule.hpp\n");
     file.print("  localparam int StopLead = {};\n", kStopLead);
     file.print("  localparam int StopSteps = {};\n", kStopSteps);
+    file.print("  localparam int BranchRate = {};  // 16 fraction bits\n", ref::kBranchRate);
     file.print(
         "\n  // Ticks without a program behind which nothing is under way: "
         "rtl/time/idle_gate.sv\n");

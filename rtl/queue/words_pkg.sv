@@ -76,6 +76,7 @@ package words_pkg;
   // Sizes of stop branches: hls/stop_schedule.hpp
   localparam int StopLead = 32;
   localparam int StopSteps = 256;
+  localparam int BranchRate = 36864;  // 16 fraction bits
 
   // Ticks without a program behind which nothing is under way: rtl/time/idle_gate.sv
   localparam int IdleTicks = 16;

@@ -43,6 +43,8 @@ module rate_generator #(
 
     // Stop branches: rtl/time/stop_memory.sv
     output logic             scaled_o,      // a tick is taken
+    output logic             steady_o,      // time rests in it
+    output logic             passed_o,      // a tick of path time begins in it
     input  wire logic [20:0] due_i,         // begins, next_wait
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
@@ -162,6 +164,8 @@ module rate_generator #(
       .target_i(next_target),
       .land_i(land),
       .stopping_o(stopping),
+      .steady_o,
+      .passed_o,
       .next_wait_i(due_i[19:0]),
       .begins_i(due_i[20]),
       .step_valid_i,

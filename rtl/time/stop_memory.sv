@@ -2,17 +2,19 @@
 // Stop branches as they pass: the one that a stop may take, the time when it begins, its steps.
 // Twin: StopSchedule of hls/stop_schedule.hpp, tick by tick.
 //
-//   loader -> bank of the next one      piece begins, at the rate 1: it is the present one
+//   loader -> bank of the next one      piece begins, at rest: it is the present one
 //             bank of the present one -> steps -> time scaler, which takes them from the tick on
-//                                        that is StopLead after that; some are on their way already
+//                                        that is StopLead ticks of path time after that; some are
+//                                        on their way already
 //
-// At other rates the branch only reports the time until the next one, and so does a program's first
-// piece without one.
+// If time does not rest in that tick or in one until then the branch only reports the time until
+// the next one, and so does a program's first piece without one.
 //
 // step_valid_o comes 3 clocks after the last step was taken.
 `default_nettype none
 module stop_memory #(
-    parameter int Steps = words_pkg::StopSteps  // most steps of a branch, a power of two
+    parameter int Steps = words_pkg::StopSteps,  // most steps of a branch, a power of two
+    parameter int Lead  = words_pkg::StopLead    // ticks, more than are ever under way
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -26,10 +28,11 @@ module stop_memory #(
     input wire logic tick_taken_i,
     input wire logic take_i,
     input wire logic first_i,       // it is a program's first
-    input wire logic full_i,        // the tick's rate is 1
 
     // Ticks as the scaler takes them: next_wait_o belongs to the next one, begins_o with it
     input  wire logic        tick_i,
+    input  wire logic        steady_i,      // time rests in it
+    input  wire logic        passed_i,      // a tick of path time begins in it
     output logic      [19:0] next_wait_o,
     output logic             begins_o,
     output logic             step_valid_o,
@@ -37,9 +40,31 @@ module stop_memory #(
     output logic      [43:0] step_o
 );
 
-  localparam int Lead = words_pkg::StopLead;
   localparam int Address = $clog2(Steps);
   localparam int Count = $clog2(Lead + 2);
+
+  // What is known of the ticks under way, in their order, 16 at most
+  localparam int Way = words_pkg::IdleTicks;
+  logic [1:0] marks[Way];
+  logic [$clog2(Way)-1:0] next_q;
+  logic [$clog2(Way)-1:0] first_q;
+  logic passes;
+  logic taken_steady;
+  logic taken_passed;
+  logic taken_passes;
+  assign passes = tick_i && passed_i;
+  assign {taken_steady, taken_passed} = marks[first_q];
+  assign taken_passes = tick_taken_i && taken_passed;
+  always_ff @(posedge clk_i) begin
+    if (tick_i) marks[next_q] <= {steady_i, passed_i};
+    if (!rst_ni) begin
+      next_q  <= '0;
+      first_q <= '0;
+    end else begin
+      next_q  <= next_q + ($clog2(Way))'(tick_i);
+      first_q <= first_q + ($clog2(Way))'(tick_taken_i);
+    end
+  end
 
   // The branch before the next piece
   logic bank_q;  // its own
@@ -48,22 +73,22 @@ module stop_memory #(
   logic [Address-1:0] write_q;
   logic tells;
   logic accept;
-  logic [Count-1:0] gap_q;  // ticks taken since the last report, Lead + 1 at most
+  logic [Count-1:0] gap_q;  // path time since the last report, Lead - 1 at most
   logic apart;
-  assign apart  = gap_q >= Count'(Lead);
+  assign apart  = gap_q == Count'(Lead - 1);
   assign tells  = take_i && (loaded_q || first_i) && apart;
-  assign accept = take_i && loaded_q && full_i && apart;
+  assign accept = take_i && loaded_q && taken_steady && apart;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       bank_q   <= 1'b0;
       loaded_q <= 1'b0;
-      gap_q    <= Count'(Lead);
+      gap_q    <= Count'(Lead - 1);
     end else begin
       if (accept) bank_q <= !bank_q;
       if (stop_write_i) loaded_q <= 1'b1;
       else if (take_i) loaded_q <= 1'b0;
       if (tells) gap_q <= '0;
-      else if (tick_taken_i && !apart) gap_q <= gap_q + 1'b1;
+      else if (taken_passes && !apart) gap_q <= gap_q + 1'b1;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -75,8 +100,10 @@ module stop_memory #(
     end
   end
 
-  // Time when it is due: ticks that the scaler takes before
-  logic [Count-1:0] under_way_q;  // ticks between scaler and generator
+  // Time when it is due: path time of the ticks that the scaler takes before. All of them since the
+  // piece began rest if those since the last one that does not are as many.
+  logic [Count-1:0] under_way_q;  // between scaler and generator
+  logic [Count-1:0] calm_q;  // since a tick that does not rest, Lead - 1 at most
   logic told_q;
   logic due_q;
   logic [Count-1:0] left_q;
@@ -85,11 +112,14 @@ module stop_memory #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       under_way_q <= '0;
+      calm_q      <= '0;
       told_q      <= 1'b0;
       due_q       <= 1'b0;
     end else begin
-      under_way_q <= under_way_q + Count'(tick_i) - Count'(tick_taken_i);
-      told_q      <= tells;
+      under_way_q <= under_way_q + Count'(passes) - Count'(taken_passes);
+      if (tick_i && !steady_i) calm_q <= '0;
+      else if (passes && calm_q != Count'(Lead - 1)) calm_q <= calm_q + 1'b1;
+      told_q <= tells;
       if (told_q) due_q <= 1'b1;
       else if (tick_i && left_q == '0) due_q <= 1'b0;
     end
@@ -97,8 +127,10 @@ module stop_memory #(
   always_ff @(posedge clk_i) begin
     if (tells) wait_q <= loaded_q ? loaded_wait_q : 20'd1;
     if (tells) begins_o <= accept;
-    if (told_q) left_q <= Count'(Lead - 1) - under_way_q - Count'(tick_i);
-    else if (tick_i && left_q != '0) left_q <= left_q - 1'b1;
+    else if (told_q && calm_q < under_way_q) begins_o <= 1'b0;
+    else if (tick_i && !steady_i) begins_o <= 1'b0;
+    if (told_q) left_q <= Count'(Lead - 1) - under_way_q - Count'(passes);
+    else if (passes && left_q != '0) left_q <= left_q - 1'b1;
   end
 
   // Steps: block RAM is slow, so a register follows it.

@@ -6,7 +6,9 @@
 //   valid_i    1
 //   ready_o    1
 //   target_i   target
-//   valid_o             1        at the earliest
+//   steady_o   time rests in it
+//   passed_o   a tick of path time begins in it
+//   valid_o             1        at the earliest; in a stop by a branch two clocks later
 //   rate_o              rate
 //   held_o              target is 0
 //
@@ -24,7 +26,7 @@
 //
 // with rest the way to the target in the present direction, braking the way that braking takes.
 //
-// A stop from the rate 1 by a branch leaves them unchanged: rtl/time/stop_taker.sv.
+// A stop by a branch leaves them unchanged: rtl/time/stop_taker.sv.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,
@@ -36,9 +38,11 @@ module time_scaler (
 
     input  wire logic        valid_i,
     output logic             ready_o,
-    input  wire logic [16:0] target_i,   // 16 fraction bits, up to 1
-    input  wire logic        land_i,     // lands at once
-    output logic             stopping_o, // a branch goes on with the next tick, which may not land
+    input  wire logic [16:0] target_i,    // 16 fraction bits, up to 1
+    input  wire logic        land_i,      // lands at once
+    output logic             stopping_o,  // a branch goes on with the next tick, which may not land
+    output logic             steady_o,
+    output logic             passed_o,
 
     // Branches: time that a stop from here waits for the next one, or 0; one begins
     input  wire logic [19:0] next_wait_i,
@@ -61,7 +65,8 @@ module time_scaler (
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
-  logic beyond_q;  // its target is on the other side of 7/8
+  logic beyond_q;  // its target is on the other side of 7/8 ..
+  logic direct_q;  // .. is not, or is that
   logic same_q;
   logic zero_q;  // its target is 0, obeyed or not
 
@@ -135,19 +140,27 @@ module time_scaler (
 
   logic [16:0] goal_q;
   logic        head_stop;
+  logic        head_begins;
+  logic        head_moves;
   logic [31:0] head_change;
-  logic        one;
-  logic        one_q;
-  assign one = tick ? same_q && arrived_q && !short_q && !head_stop && goal_q[16] : one_q;
+  logic [16:0] head_base;
+  logic [15:0] head_ahead;
+  logic        room;
+  logic        takes;
+  logic        stopping;
+  logic [16:0] obeyed;
+  logic        fast_q;  // the head's target is BranchRate or more
+  logic        arrived;
+  logic        rests;
+  logic        rests_q;
+  assign arrived = landing_q || (same_q && arrived_q && !short_q && direct_q && !head_stop);
+  assign rests   = tick ? arrived && fast_q : rests_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) one_q <= 1'b0;
-    else if (tick) one_q <= one;
+    if (!rst_ni) rests_q <= 1'b0;
+    else if (tick) rests_q <= rests;
+    if (takes) fast_q <= obeyed >= 17'(words_pkg::BranchRate);
   end
 
-  logic room;
-  logic takes;
-  logic stopping;
-  logic [16:0] obeyed;
   assign room = !head_valid_q || tick;
   stop_taker u_stop (
       .clk_i,
@@ -156,12 +169,14 @@ module time_scaler (
       .room_i(room),
       .ready_o,
       .taken_o(takes),
-      .one_i(one),
+      .rests_i(rests),
       .land_i,
       .target_i,
       .obeyed_o(obeyed),
       .stopping_o(stopping),
       .goes_on_o(stopping_o),
+      .steady_o,
+      .passed_o,
       .next_wait_i,
       .begins_i,
       .step_valid_i,
@@ -170,12 +185,17 @@ module time_scaler (
       .step_change_i,
       .step_last_i,
       .stop_o(head_stop),
+      .begins_o(head_begins),
       .ends_o(head_ends),
-      .change_o(head_change)
+      .moves_o(head_moves),
+      .change_o(head_change),
+      .base_o(head_base),
+      .ahead_o(head_ahead)
   );
 
   logic        high;
   logic [16:0] aim;
+  logic [16:0] wish;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_valid_q <= 1'b0;
@@ -196,12 +216,12 @@ module time_scaler (
     end
     if (takes || state_q == Clear) begin
       beyond_q <= high != fine_q && !(takes && (land_i || stopping));
+      direct_q <= high == fine_q || wish == FineFrom;
       delta_q  <= $signed({1'b0, aim}) - $signed({1'b0, goal_q});
     end
   end
 
   // The next aim of the rate: the target, or first 7/8.
-  logic [16:0] wish;
   assign wish = room ? obeyed : target_q;
   assign high = is_fine(wish);
   assign aim  = high == fine_q ? wish : FineFrom;
@@ -338,52 +358,27 @@ module time_scaler (
     end
   end
 
-  // The slope after a tick is what the rate moves in it; at rest it is the target.
-  logic ticked_q;
-  logic lands_q;
-  logic rises_q;
-  logic stops_q;
-  logic held_q;
-  logic [16:0] place_q;
-  logic signed [35:0] rate_q;
-  logic signed [35:0] stop_slope_q;
-  logic signed [35:0] move;
-  assign move = stops_q ? stop_slope_q : slope_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      ticked_q     <= 1'b0;
-      valid_o      <= 1'b0;
-      stop_slope_q <= '0;
-    end else begin
-      ticked_q <= tick;
-      valid_o  <= ticked_q;
-      if (tick) begin
-        stop_slope_q <= head_stop && !head_ends ? stop_slope_q + 36'($signed(head_change)) : '0;
-      end
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (ticked_q) begin
-      if (lands_q) rate_q <= {3'b0, place_q, 16'b0};
-      else if (rises_q) rate_q <= rate_q + move;
-      else rate_q <= rate_q - move;
-      held_o  <= held_q;
-      still_o <= held_q && place_q == '0 && lands_q;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    lands_q <= landing_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q);
-    rises_q <= rising_q || head_stop;
-    stops_q <= head_stop;
-    held_q  <= zero_q;
-    place_q <= landing_q || head_stop ? target_q : goal_q;
-  end
-  // In a stop below 1, with any steps.
-  logic stopped_q;
-  always_ff @(posedge clk_i) if (ticked_q) stopped_q <= stops_q;
-  logic beyond;
-  assign beyond = rate_q[32] && stopped_q;
-  assign rate_o = {rate_q[32] && !stopped_q, rate_q[31:16] | {16{beyond}}};
+  scaled_rate u_rate (
+      .clk_i,
+      .rst_ni,
+      .tick_i  (tick),
+      .lands_i (landing_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q)),
+      .rises_i (rising_q),
+      .place_i (landing_q || head_stop ? target_q : goal_q),
+      .slope_i (slope_q),
+      .held_i  (zero_q),
+      .stop_i  (head_stop),
+      .begins_i(head_begins),
+      .ends_i  (head_ends),
+      .moves_i (head_moves),
+      .change_i(head_change),
+      .base_i  (head_base),
+      .ahead_i (head_ahead),
+      .valid_o,
+      .rate_o,
+      .held_o,
+      .still_o
+  );
 
 endmodule
 `default_nettype wire

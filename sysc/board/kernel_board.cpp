@@ -41,8 +41,7 @@ bool KernelBoard::move() {
     if (share_.needs_tick()) {
         // A tick may end the present piece and begin the next one.
         if (!final_ && !piece_queued()) return false;
-        rate_ = scaler_.tick(target_, path_.idle(), stops_.due(),
-                             [this] { return stops_.next_step(); });
+        rate_ = stops_.tick(scaler_, target_, path_.idle());
         const auto next = [this](hls::ProfileWords& words) { return next_piece(words); };
         share_.tick(path_.tick(rate_, next, target_ == 0));
     }
@@ -70,7 +69,7 @@ bool KernelBoard::piece_queued() {
 bool KernelBoard::next_piece(hls::ProfileWords& words) {
     if (!piece_queued()) return false;
     words = hls::unpack_piece([this] { return profile_.pop(); });
-    stops_.begin_piece(rate_, !path_.active());
+    stops_.begin_piece(!path_.active());
     final_ = words.final;
     return true;
 }

@@ -23,6 +23,8 @@ constexpr std::uint64_t kFlights = 400;  // approximate number of ticks in fligh
 constexpr std::uint64_t kResumes = 12;   // approximate number of holds that are followed by others
 constexpr std::uint64_t kWhile = 50;     // ticks from one of those to the next
 
+constexpr double kSlower[] = {0.8, 0.6};  // overrides
+
 /// The longest of some holds.
 class Longest {
   public:
@@ -43,6 +45,7 @@ struct Holds {
     Longest in_flight;  // at full rate since the start
     Longest resumed;    // at full rate again
     Longest back;       // while time accelerates
+    Longest slower[2];  // at kSlower since the start
 };
 
 /// Makes holds from a run that has just stopped and resumes.
@@ -72,16 +75,26 @@ Holds hold(const ref::Plan& plan) {
             resume(held, holds);
         }
     }
+    for (int n = 0; n < 2; ++n) {
+        HoldRun slower(plan, ref::Machine());
+        const auto rate = static_cast<std::int32_t>(kSlower[n] * kOne);
+        for (std::uint64_t tick = 1; slower.active(); ++tick) {
+            slower.tick(rate);
+            if (tick > 2 * ref::kStopLead && tick % (ticks / kFlights + 1) == 0) {
+                holds.slower[n].see(slower);
+            }
+        }
+    }
     return holds;
 }
 
 void add_row(Table& table, const std::string& name, const ref::Program& program) {
     const ref::Plan plan = make_plan(program, ref::Machine(), {});
     const Holds holds = hold(plan);
-    table.rows.push_back({name, fmt::format("{:.3f}", plan.duration_s),
-                          std::to_string(plan.branches.size()), holds.first.text(plan),
-                          holds.in_flight.text(plan), holds.resumed.text(plan),
-                          holds.back.text(plan)});
+    table.rows.push_back(
+        {name, fmt::format("{:.3f}", plan.duration_s), std::to_string(plan.branches.size()),
+         holds.first.text(plan), holds.in_flight.text(plan), holds.resumed.text(plan),
+         holds.back.text(plan), holds.slower[0].text(plan), holds.slower[1].text(plan)});
 }
 
 }  // namespace
@@ -94,9 +107,9 @@ int main(int argc, char** argv) {
     Table table{"holds",
                 "The longest hold to rest on the built-in machine, s, from sampled ticks: in a "
                 "program's first 32 ticks, at full rate from there on, at full rate after a "
-                "resume, and while time comes back to it",
+                "resume, while time comes back to it, and at overrides of 80 and 60 %",
                 {"path", "plan, s", "branches", "first ticks", "in flight", "after a resume",
-                 "while time comes back"},
+                 "while time comes back", "at 80 %", "at 60 %"},
                 {}};
     add_row(table, "line of 950 mm", tb::fast_line(950));
     add_row(table, "line of 100 mm", tb::fast_line(100));

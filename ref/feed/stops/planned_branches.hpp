@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stop branches along a plan, so that a stop from the rate 1 never waits long for one.
+// Stop branches along a plan, so that a stop never waits long for one.
 #pragma once
 
 #include "ref/feed/pieces/profile_words.hpp"

@@ -17,13 +17,14 @@ word hold_acceleration hold_slope          # the bounds: settings.asm
 word asked
 word aimed                                 # target_, stale behind a stop: it rests on 0
 word unsettled
-word at_one
+word resting
 word wait
+word ahead = 0, 2 limbs
 word scaled                                # rate_; in a stop its 33 bits as a signed number
 word slope braking
 word way                                   # 1: rising_, or -1
 word settling
-word coarse                                # -1: below 7/8, 0: fine_
+word is_fine                                # 1: fine_
 word stopping
 word left                                  # twice the ticks
 word stop_slope
@@ -34,58 +35,93 @@ word near next_wait begins
 word reading read
 word active idle                           # path.asm
 
-local mode obeyed same low goal acceleration max_slope rest faster from
+word steady                                # the tick rests: path.asm
+local obeyed passed same high goal acceleration max_slope rest faster from between
 data idle_ticks = 16
 data one = 65536                           # the rate 1 ..
-data border = 3758096384                   # 7/8 with 32 fraction bits
 data one_scaled = 4294967296               # .. with 32 fraction bits
+data border = 3758096384                   # 7/8 with 32 fraction bits
 data bank_entries = 768                    # kStopSteps, of three entries
 data most_rest = 31                        # kStopLead - 1
 
 rate_tick:
-  mode = 1, 1 limb                         # -1: a stop at the rate 1
   test target - asked, 2 limbs
-  if zero go to count
+  if zero go to rests
   asked = target, 2 limbs
   unsettled = 1, 1 limb
 
-count:                                     # ticks until a branch is due, at most
+rests:
   obeyed = target
-  test at_one + 0, 1 limb
-  if zero go to clip
+  steady = 0, 1 limb
+  test stopping + 0, 1 limb
+  if not zero go to paces
+  test unsettled + 0, 1 limb
+  if zero go to goes_on
+  test idle - idle_ticks, 1 limb
+  if zero go to arrives
+goes_on:
+  test resting + 0, 1 limb
+  if zero go to whole
   test target + 0, 2 limbs
-  if not zero go to runs
-  test idle - idle_ticks, 1 limb           # the target is another now
-  if zero go to clip                       # it lands
-  mode = 0 - 1, 1 limb
+  if not zero go to same
+  test near + 0, 1 limb
+  if not zero go to waits
+  test begins + 0, 1 limb
+  if zero go to waits
+  stopping = 1, 1 limb
+  scaled = one_scaled
+  go to paces
+waits:
   test wait + 0, 2 limbs
+  if zero go to whole
+  obeyed = aimed
+same:
+  test obeyed - aimed, 2 limbs
+  if not zero go to whole
+  steady = 1, 1 limb
+
+paces:                                     # pass
+  passed = 0, 2 limbs
+  ahead = ahead - aimed, 2 limbs
+  if not negative go to count
+  ahead = ahead + one, 2 limbs
+  go to passes
+arrives:                                   # it lands
+  rest = target - 2^15, 2 limbs
+  test rest - 2^12, 2 limbs                 # kBranchRate
+  if negative go to whole
+  steady = 1, 1 limb
+whole:
+  ahead = 0, 2 limbs
+passes:
+  passed = 1, 2 limbs
+
+count:                                     # count, StopSchedule::due, count
+  test near + 0, 1 limb
+  if not zero go to comes
+  wait = next_wait, 2 limbs
+  near = 0 - 1, 1 limb
+  go to drops
+comes:
+  if negative go to waited
+  near = near - passed, 1 limb
+waited:
+  test steady + 0, 1 limb
   if zero go to clip
-  obeyed = one                             # it waits for a branch
-  wait = wait - 1, 2 limbs
-  go to pass
-runs:
-  test target - one, 2 limbs
-  if not zero go to clip
-  wait = wait - 1, 2 limbs
+  wait = wait - passed, 2 limbs
+  test obeyed - target, 2 limbs            # it waits for a branch
+  if not zero go to drops
 clip:
   test wait - most_rest, 2 limbs
-  if not negative go to pass
+  if not negative go to drops
   wait = most_rest, 2 limbs
+drops:
+  begins = begins * steady, 1 limb
 
-pass:                                      # StopSchedule::due
-  test near + 0, 1 limb
-  if negative go to due
-  near = near - 1, 1 limb
-  if not zero go to due
-  wait = next_wait, 2 limbs
-  test begins + mode, 1 limb               # both
-  if not zero go to due
-  stopping = 1, 1 limb
-  at_one = 0, 1 limb
-due:
   test stopping + 0, 1 limb
   if zero go to aim
-
+  test passed + 0, 1 limb
+  if zero go to slides
   test left + 0, 1 limb                    # stop_on
   if not zero go to stops
   from = reading + read
@@ -111,57 +147,65 @@ slows:
   scaled = scaled + stop_slope
   scaled = scaled * 2^12
   scaled = floor(scaled * 2^33 >> 45)
-  if not negative go to rated
-  rate = one, 2 limbs                      # the most that is below one
-  rate = rate - 1, 2 limbs
+slides:                                    # between two ticks of path time
+  rest = stop_slope * 2^12
+  rest = floor(rest * 2^18 >> 45)
+  rest = rest * ahead
+  rest = floor(rest * 2^29 >> 45)
+  between = floor(scaled * 2^30 >> 45)
+  between = between - rest
+  between = between * 2^27                 # its bit 17 is the sign
+  if not negative go to slowed
+  rate = aimed - 1, 2 limbs                # the most that is below it
+  go to stand
+slowed:
+  rate = aimed + aimed, 2 limbs
+  rate = floor(rate * between >> 45), 2 limbs
   go to stand
 stopped:
   stopping = 0, 1 limb
   stop_slope = 0
   obeyed = 0
-  low = 0 - 1, 1 limb
+  high = 0, 1 limb
   go to lands
 
 aim:
   same = obeyed - aimed, 2 limbs
   aimed = obeyed, 2 limbs
-  low = obeyed - one
-  low = low + 2^13                         # from 7/8
-  low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
-  test unsettled + 0, 1 limb
-  if zero go to rate_follows
+  high = obeyed + 2^13
+  high = floor(high * 2^29 >> 45), 1 limb    # 1: from 7/8 on
   test idle - idle_ticks, 1 limb
   if not zero go to rate_follows
   unsettled = 0, 1 limb
 lands:                                     # rest, land
-  at_one = 0, 1 limb
+  resting = 0, 1 limb
   settling = 0, 1 limb
   slope = 0
   braking = 0
-  coarse = low, 1 limb
+  is_fine = high, 1 limb
   scaled = obeyed * 2^16
-  go to rated
+  go to lies
 
 rate_follows:
   test slope + 0
   if not zero go to sides
   test scaled - border
   if not zero go to sides
-  coarse = low, 1 limb                     # a rate that settles moves neither way
+  is_fine = high, 1 limb                     # a rate that settles moves neither way
 sides:
   goal = obeyed * 2^16
-  test low - coarse, 1 limb
+  test high - is_fine, 1 limb
   if zero go to bounds
   goal = border
 bounds:
   acceleration = hold_acceleration
   max_slope = hold_slope
-  test coarse + 0, 1 limb
-  if negative go to distance
+  test is_fine + 0, 1 limb
+  if zero go to distance
   acceleration = floor(acceleration * 2^42 >> 45)
   max_slope = floor(max_slope * 2^42 >> 45)
 distance:
-  at_one = 0, 1 limb
+  resting = 0, 1 limb
   rest = goal - scaled
   test slope + 0
   if not zero go to moves
@@ -173,9 +217,11 @@ distance:
   settling = 0, 1 limb                     # on its goal
   test same + 0, 2 limbs
   if not zero go to rated
-  test scaled - one_scaled
+lies:
+  rest = scaled - 2^31
+  test rest - 2^28                         # kBranchRate
   if negative go to rated
-  at_one = 1, 1 limb
+  resting = 1, 1 limb
   go to rated
 away:
   test settling + 0, 1 limb

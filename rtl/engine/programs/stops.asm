@@ -5,15 +5,14 @@
 #   branch_passes  begin_piece: path.asm goes there where a piece begins, `active` as before, and
 #                  goes on at piece_begins
 
-word near = - 1, 1 limb                    # ticks until what is next is due; -1: another counts
+word near = - 1, 1 limb                    # path time until what is next is due; -1: another counts
 word next_wait begins                      # next_
 word branch = 0, 2 limbs                   # wait of the branch before the next piece, 0: none
 word reading = stop_begin                  # a bank: the steps that a stop takes ..
 word read                                  # .. and how many entries it has taken
 word loading = stop_middle                 # the other bank: the steps before the next piece
-word rate active                           # rate.asm, path.asm
-data one = 65536                           # the rate 1
-data stop_lead = 32                        # kStopLead
+word steady active                         # rate.asm, path.asm
+data most_rest = 31                        # kStopLead - 1
 
 branch_passes:
   test branch + 0, 2 limbs
@@ -23,15 +22,14 @@ branch_passes:
 counts:
   test near + 0, 1 limb
   if not negative go to passed
-  near = stop_lead, 1 limb
+  near = most_rest, 1 limb
   begins = 0, 1 limb
   next_wait = 1, 2 limbs
   test branch + 0, 2 limbs
   if zero go to piece_begins
   next_wait = branch, 2 limbs
-  test rate - one, 2 limbs
-  if not zero go to passed
-  begins = 1, 1 limb
+  begins = steady, 1 limb
+  if zero go to passed
   read = 0, 1 limb
   reading = reading + loading              # the banks change places
   loading = reading - loading

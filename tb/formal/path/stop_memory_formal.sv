@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/stop_memory.sv, with any ticks under way, at most 16: a branch is announced StopLead
-// ticks after the one in which its piece began, a first piece without one as if it had one with a
-// wait of 1, and nothing else is; not before the branch under way was announced. It begins if that
-// tick had the rate 1.
-// control: ANY_RATE s/ \&\& full_i//
-// control: EARLY s/Count'(Lead - 1)/Count'(Lead - 2)/
-// control: ONLY_FULL s/(loaded_q || first_i)/(loaded_q \&\& full_i || first_i)/
+// rtl/time/stop_memory.sv, with any ticks under way, at most 3: a branch is announced with the
+// first tick before which Lead - 1 ticks of path time have passed since the one in which its
+// piece began, a first piece without one as if it had one with a wait of 1, and nothing else is;
+// not before the branch under way was announced. It begins if time rests in that tick and in all
+// since.
+// control: ANY_RATE s/loaded_q \&\& taken_steady/loaded_q/
+// control: CHANGED s/tick_i \&\& !steady_i) begins_o/1'b0) begins_o/
+// control: ON_ITS_WAY s/told_q \&\& calm_q < under_way_q/1'b0/
+// control: EARLY s/left_q <= Count'(Lead - 1)/left_q <= Count'(Lead - 2)/
+// control: EVERY_TICK s/passes = tick_i \&\& passed_i/passes = tick_i/
+// control: ONLY_STEADY s/(loaded_q || first_i)/(loaded_q \&\& taken_steady || first_i)/
 // control: NOT_LOADED s/(loaded_q || first_i)/1'b1/
 // control: NOT_FIRST s/(loaded_q || first_i)/loaded_q/
-// control: BLIND s/- Count'(tick_i);/;/
+// control: BLIND s/- Count'(passes);/;/
 // control: NO_RESET s/due_q       <= 1'b0;//
 // long: proved
 `default_nettype none
 module stop_memory_formal #(
-    parameter int Steps = 2
+    parameter int Steps = 2,
+    parameter int Lead  = 6
 ) (
     input wire logic        clk_i,
     input wire logic        rst_ni,
@@ -23,8 +28,9 @@ module stop_memory_formal #(
     input wire logic        tick_taken_i,
     input wire logic        take_i,
     input wire logic        first_i,
-    input wire logic        full_i,
     input wire logic        tick_i,
+    input wire logic        steady_i,
+    input wire logic        passed_i,
     input wire logic        step_ready_i
 );
 
@@ -33,7 +39,8 @@ module stop_memory_formal #(
   logic step_valid;
   logic [43:0] step;
   stop_memory #(
-      .Steps(Steps)
+      .Steps(Steps),
+      .Lead (Lead)
   ) u_dut (
       .clk_i,
       .rst_ni,
@@ -43,8 +50,9 @@ module stop_memory_formal #(
       .tick_taken_i,
       .take_i,
       .first_i,
-      .full_i,
       .tick_i,
+      .steady_i,
+      .passed_i,
       .next_wait_o(next_wait),
       .begins_o(begins),
       .step_valid_o(step_valid),
@@ -52,46 +60,70 @@ module stop_memory_formal #(
       .step_o(step)
   );
 
-  // Ticks between scaler and generator; ticks from the generator to the announcement
+  // Ticks between scaler and generator, the oldest first; path time from the last tick that the
+  // generator took to the announcement
+  localparam int Most = 3;
   logic started_q = 1'b0;
-  logic [4:0] under_way_q;
-  logic [5:0] to_go_q;
+  logic [1:0] under_way_q;
+  logic [1:0] place;
+  logic [Most-1:0] way_steady_q;
+  logic [Most-1:0] way_passed_q;
+  logic [Most-1:0] way_steady;
+  logic [Most-1:0] way_passed;
+  logic [4:0] to_go_q;
   logic loaded_q;
   logic [19:0] wait_q;
-  logic [5:0] since_q;  // ticks since the last one that counted, 33 at most
-  logic due_q;
+  logic open_q;  // it has not been announced
   logic [19:0] due_wait_q;
-  logic due_begins_q;
+  logic due_begins_q;  // as far as the generator knows
   logic counts;
   logic due;
   logic second_q;
-  assign due    = due_q && to_go_q == {1'b0, under_way_q};
-  assign counts = take_i && (loaded_q || first_i) && since_q > 6'd32;
+  logic stop_q;  // a stop goes on, perhaps
+  logic stop;
+  logic [4:0] passing;  // path time under way
+  logic rests;  // in all that is under way
+  logic [Most-1:0] is_under_way;
+  assign is_under_way = ~(3'b111 << under_way_q);
+  assign passing = 5'(is_under_way[0] && way_passed_q[0]) + 5'(is_under_way[1] && way_passed_q[1]) +
+      5'(is_under_way[2] && way_passed_q[2]);
+  assign rests = (is_under_way & ~way_steady_q) == '0;
+  assign stop = stop_q || (due && begins);
+  assign due = open_q && to_go_q <= passing;
+  assign counts = take_i && (loaded_q || first_i) && to_go_q == '0;
+  assign place = under_way_q - 2'(tick_taken_i);
+  assign way_steady = tick_taken_i ? way_steady_q >> 1 : way_steady_q;
+  assign way_passed = tick_taken_i ? way_passed_q >> 1 : way_passed_q;
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
+    way_steady_q <= way_steady;
+    way_passed_q <= way_passed;
+    if (tick_i) way_steady_q[place] <= steady_i;
+    if (tick_i) way_passed_q[place] <= passed_i;
     if (!rst_ni) begin
       under_way_q <= '0;
       loaded_q <= 1'b0;
-      since_q  <= 6'd33;
-      due_q    <= 1'b0;
+      open_q <= 1'b0;
+      stop_q <= 1'b0;
+      to_go_q <= '0;
       second_q <= 1'b0;
     end else begin
-      under_way_q <= under_way_q + {4'b0, tick_i} - {4'b0, tick_taken_i};
+      under_way_q <= place + 2'(tick_i);
       if (stop_write_i) loaded_q <= 1'b1;
       else if (take_i) loaded_q <= 1'b0;
-      if (counts) since_q <= 6'd1;
-      else if (tick_taken_i && since_q <= 6'd32) since_q <= since_q + 1'b1;
-      if (counts) due_q <= 1'b1;
-      else if (tick_i && due) due_q <= 1'b0;
+      if (counts) open_q <= 1'b1;
+      else if (tick_i && due) open_q <= 1'b0;
+      if (tick_i) stop_q <= stop && !steady_i;
       if (counts) second_q <= 1'b1;
+      if (counts) to_go_q <= 5'(Lead - 1);
+      else if (tick_taken_i && to_go_q != '0) to_go_q <= to_go_q - 5'(way_passed_q[0]);
     end
     if (stop_write_i) wait_q <= word_i[19:0];
     if (counts) begin
-      to_go_q      <= 6'd31;
       due_wait_q   <= loaded_q ? wait_q : 20'd1;
-      due_begins_q <= loaded_q && full_i;
+      due_begins_q <= loaded_q && way_steady_q[0];
     end else if (tick_taken_i) begin
-      to_go_q <= to_go_q - 1'b1;
+      due_begins_q <= due_begins_q && way_steady_q[0];
     end
   end
 
@@ -100,15 +132,17 @@ module stop_memory_formal #(
       assume (!rst_ni);
     end else if (rst_ni) begin
       // A tick is taken after it is made; a piece begins in one; its words come between two.
-      assume (under_way_q < 5'd16 || !tick_i);
+      assume (under_way_q < 2'(Most) || !tick_i);
       assume (under_way_q != '0 || !tick_taken_i);
       assume (tick_taken_i || !take_i);
+      // Where time does not rest a tick counts whole, but in stops.
+      assume (!tick_i || steady_i || passed_i || stop);
       assume (!(take_i && (stop_write_i || step_write_i)));
       if (stop_write_i) assume (word_i[19:0] != '0);
 
       if (tick_i) begin
         Due : assert (next_wait == (due ? due_wait_q : '0));
-        if (due) Begins : assert (begins == due_begins_q);
+        if (due) Begins : assert (begins == (due_begins_q && rests));
       end
 
       Twice : cover (counts && second_q);

@@ -27,12 +27,13 @@ class PathTimeComparison : public TimeComparison {
         const auto every = static_cast<unsigned>(random() % 3 == 0   ? 200
                                                  : random() % 2 == 0 ? 20
                                                                      : 6);
-        std::int32_t target = 65536;
+        const std::int32_t running = any_running(random);
+        std::int32_t target = running;
         std::size_t entered = 0;
         for (int n = 0;
              n < ticks + 20 || entered < words_of_.size() || pieces_ > 0 || path_.active(); ++n) {
             if (random() % every == 0) {
-                target = random() % 3 == 0 ? any_target(random) : target == 0 ? 65536 : 0;
+                target = random() % 3 == 0 ? any_target(random) : target == 0 ? running : 0;
             }
             if (n >= ticks) target = 65536;
             std::uint64_t more = random() % 3 == 0 ? random() % 40 : 0;
@@ -55,7 +56,7 @@ class PathTimeComparison : public TimeComparison {
     void write(std::mt19937_64& random, const std::vector<hls::ProfileWords>& pieces) {
         words_of_.clear();
         for (const hls::ProfileWords& piece : pieces) {
-            if (random() % 3 != 0) {
+            if (random() % (&piece == pieces.data() ? 2 : 3) != 0) {
                 const auto wait = static_cast<std::int32_t>(
                     random() % 20 == 0 ? 1 + random() % ((1 << 20) - 1) : 1 + random() % 120);
                 words_of_.push_back({hls::pack_stop(wait), 0, false});
@@ -103,20 +104,21 @@ class PathTimeComparison : public TimeComparison {
         run(kFetch);  // to no effect
         machine_.set("target", target);
         const hls::StopDue due = stops_.due();
-        run(kRate);
         same(machine_.get("near") == 0, due.wait > 0);
         if (due.wait > 0) {
             expect("next_wait", due.wait);
             expect("begins", due.begins ? 1 : 0);
         }
+        run(kRate);
         run(kTick);
         const bool active = path_.active();
         const std::int32_t rate =
             scaler_.tick(target, path_.idle(), due, [this] { return stops_.next_step(); });
+        stops_.count(scaler_.steady(), scaler_.passed());
         const auto next = [&](hls::ProfileWords& words) {
             if (pieces_ == 0) return false;
             words = next_piece();
-            stops_.begin_piece(rate, !path_.active());
+            stops_.begin_piece(!path_.active());
             ticks_ -= words.ticks;
             finals_ -= words.final ? 1 : 0;
             --pieces_;

@@ -73,10 +73,10 @@ TEST(RateMicrocode, EqualsTheKernelsOfTimeAndPath) {
     EXPECT_GT(comparison.stop_ticks(), 2000);
     EXPECT_FALSE(machine.hazard());
     EXPECT_FALSE(machine.strays());
-    EXPECT_LE(comparison.bounds()[kRate], 560);
+    EXPECT_LE(comparison.bounds()[kRate], 650);
     EXPECT_LE(comparison.bounds()[kFetch], 360);
-    // The longest way of all waits at the rate 1 and moves: no tick does.
-    EXPECT_GE(comparison.most()[kRate], comparison.bounds()[kRate] - 70);
+    // The longest way of all waits, takes a step and is told a wait: no tick does.
+    EXPECT_GE(comparison.most()[kRate], comparison.bounds()[kRate] - 110);
 }
 
 TEST(RateMicrocode, AnyPieceIsUnpacked) {
@@ -97,7 +97,7 @@ TEST(RateMicrocode, AChangedInstructionIsSeen) {
             MicrocodeMachine path_machine(code.assembly, program, &trace);
             PathTimeComparison path(code, path_machine);
             std::mt19937_64 random(1);
-            for (std::uint32_t n = 1; n <= 12; ++n) {
+            for (std::uint32_t n = 1; n <= 40; ++n) {
                 for (int part = 0; part < 8; ++part) {
                     rate.ticks(random, part % 3 == 0 ? 4 : part % 3 == 1 ? 300 : 80);
                 }

@@ -75,6 +75,31 @@ TEST(PlannedBranches, StopWithinTheLimitsFromAnywhere) {
     }
 }
 
+// A branch at the rate r0 takes 1 / r0 of the time, and r0, r0^2, r0^3 of the limits.
+TEST(PlannedBranches, StopWithinTheLimitsAtEveryRate) {
+    int looked_at = 0;
+    for (const Curve& curve : curves()) {
+        const Plan plan = make_plan(curve.program, curve.machine, {});
+        for (const double r0 : {0.99, 0.9, 0.8, 0.6}) {
+            const auto rate = static_cast<std::int32_t>(r0 * kOne);
+            double most = 0;
+            for (int part = 1; part < 12; ++part) {
+                HoldRun run(plan, curve.machine);
+                for (double k = 0; k < static_cast<double>(ticks(plan)) * part / 12; k += r0) {
+                    run.tick(rate);
+                }
+                most = std::max(most, static_cast<double>(run.stop()) * plan.tick_s);
+                while (part % 3 == 0 && run.active()) run.tick(rate);
+                const sysc::LimitLoads loads = run.finish();
+                EXPECT_LE(loads.most(), 1) << curve.name << " " << r0 << " " << part << text(loads);
+                ++looked_at;
+            }
+            EXPECT_LE(most, r0 < 0.8 ? 0.38 : 0.3) << curve.name << " " << r0;
+        }
+    }
+    EXPECT_GT(looked_at, 200);
+}
+
 // No branch is due yet; without them a hold there takes 1.2 s.
 TEST(PlannedBranches, StopAsQuicklyInAProgramsFirstTicks) {
     for (const Curve& curve : curves()) {

@@ -2,6 +2,9 @@
 // Stop branches as words: which may enter, which of them counts, how a stop uses it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "hls/stop_schedule.hpp"
 #include "hls/word_entry.hpp"
 
@@ -71,20 +74,19 @@ constexpr std::int32_t kOne = 1 << 16;
 class Stops {
   public:
     std::int32_t tick(std::int32_t target, bool begin = false) {
-        const std::int32_t rate =
-            scaler_.tick(target, false, schedule_.due(), [this] { return schedule_.next_step(); });
+        const std::int32_t rate = schedule_.tick(scaler_, target, false);
         if (begin) {
             schedule_.load_wait(100);
             schedule_.load_step({32, -(1 << 22), false});
             schedule_.load_step({32, 1 << 22, true});
-            schedule_.begin_piece(rate, false);
+            schedule_.begin_piece(false);
         }
         return rate;
     }
     /// Runs some ticks; in the last a program begins that has no branches.
     void begin_program(int ticks) {
         for (int n = 0; n < ticks; ++n) tick(kOne);
-        schedule_.begin_piece(kOne, true);
+        schedule_.begin_piece(true);
     }
 
     /// Ticks until the rate is 0, at most 100,000; a piece begins every `every` ticks.
@@ -135,7 +137,7 @@ TEST(StopSchedule, AStopInAProgramsFirstTicksWaitsForTheirBranch) {
 int stop_after_slower(bool follows) {
     Stops stops;
     for (int n = 0; n < 10; ++n) stops.tick(kOne);
-    for (int n = 0; n < 1000; ++n) stops.tick(65000, n == 200);
+    for (int n = 0; n < 1000; ++n) stops.tick(30000, n == 200);
     int ones = 0;
     while (ones < 3) ones += stops.tick(kOne) == kOne ? 1 : 0;
     for (int n = 0; n < 100 - hls::kStopLead - 10; ++n) {
@@ -181,10 +183,54 @@ TEST(StopSchedule, AStopThatIsLetDownGoesTheSlowWay) {
     EXPECT_GT(stops.stop(), 4000);
 }
 
-TEST(StopSchedule, AStopFromASlowerRateTakesNoBranch) {
+/// R of the branch after some ticks of path time.
+double branch_rate(double time) {
+    double rate = 1;
+    double slope = 0;
+    for (int n = 0; n < 64; ++n) {
+        slope += std::ldexp(n < 32 ? -1 : 1, -10);
+        rate += slope * std::clamp(time - n, 0.0, 1.0);
+    }
+    return rate;
+}
+
+TEST(StopSchedule, AStopFromASlowerRateIsTheBranchInItsTime) {
+    for (const std::int32_t rate : {ref::kBranchRate, 36865, 40000, 50001, 65000, 65535, kOne}) {
+        Stops stops;
+        const double r0 = std::ldexp(rate, -16);
+        double time = 1 - hls::kStopLead;  // since the branch began
+        stops.tick(rate, true);
+        while (time <= -1) {
+            ASSERT_EQ(stops.tick(rate), rate);
+            time += r0;
+        }
+        std::int32_t before = rate;
+        for (int n = 0; before != 0; ++n) {
+            const std::int32_t now = stops.tick(0);
+            time += r0;
+            ASSERT_NEAR(now, 65536 * r0 * branch_rate(time), 2.5) << rate << " " << n;
+            ASSERT_LE(now, before);
+            before = now;
+        }
+        EXPECT_NEAR(time, 63.5, 0.51) << rate;
+    }
+}
+
+TEST(StopSchedule, AStopFromARateThatChangedSinceTakesNoBranch) {
+    for (const int later : {1, 5, hls::kStopLead - 2}) {
+        Stops stops;
+        for (int n = 0; n < 20; ++n) stops.tick(kOne);
+        stops.tick(kOne, true);
+        for (int n = 0; n < later; ++n) stops.tick(kOne);
+        stops.tick(65535);
+        EXPECT_GT(stops.stop(), 3000) << later;
+    }
+}
+
+TEST(StopSchedule, AStopFromLessThanTheBranchRateTakesNoBranch) {
     Stops stops;
-    for (int n = 0; n < 5000; ++n) stops.tick(60000, n % 50 == 0);
-    EXPECT_GT(stops.stop(50), 3000);
+    for (int n = 0; n < 5000; ++n) stops.tick(ref::kBranchRate - 1, n % 50 == 0);
+    EXPECT_GT(stops.stop(50), 2000);
 }
 
 TEST(StopSchedule, AfterAStopTimeGoesOn) {

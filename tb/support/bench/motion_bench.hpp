@@ -217,13 +217,13 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         if (share_.needs_tick()) {
             // The RTL chooses the tick in which a program begins; the rest follows.
             const bool waits = !dut_->path_active_o;
-            const auto next_piece = [this, rate](hls::ProfileWords& piece) {
+            const auto next_piece = [this](hls::ProfileWords& piece) {
                 if (next_piece_ == pieces_.size()) return false;
                 const Stop& stop = stops_[next_piece_];
                 piece = pieces_[next_piece_++];
                 if (stop.wait > 0) schedule_.load_wait(stop.wait);
                 for (const hls::StopStep& step : stop.steps) schedule_.load_step(step);
-                schedule_.begin_piece(rate, !path_kernel_.active());
+                schedule_.begin_piece(!path_kernel_.active());
                 return true;
             };
             if (rates_ == Rates::kOfKernel) follow_rate(rate);
@@ -249,6 +249,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         };
         ASSERT_EQ(rate, scaler_.tick(target, path_kernel_.idle(), schedule_.due(), next_step))
             << "move " << moves_.size();
+        schedule_.count(scaler_.steady(), scaler_.passed());
         rate_ = rate;
     }
 

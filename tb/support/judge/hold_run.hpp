@@ -18,11 +18,10 @@ class HoldRun {
 
     /// Draws a tick towards a rate of time, 2^16 = 1; returns the rate.
     std::int32_t tick(std::int32_t target) {
-        const auto next_step = [this] { return schedule_.next_step(); };
-        const std::int32_t rate = scaler_.tick(target, false, schedule_.due(), next_step);
+        const std::int32_t rate = schedule_.tick(scaler_, target, false);
         const std::size_t begun = run_.begun();
         run_.tick(rate, target == 0);
-        if (run_.begun() != begun) begin(begun, rate);
+        if (run_.begun() != begun) begin(begun);
         return rate;
     }
 
@@ -37,7 +36,7 @@ class HoldRun {
     sysc::LimitLoads finish() { return run_.finish(); }
 
   private:
-    void begin(std::size_t piece, std::int32_t rate) {
+    void begin(std::size_t piece) {
         if (next_ < plan_.branches.size() && plan_.branches[next_].piece == piece) {
             const ref::PlannedBranch& branch = plan_.branches[next_++];
             schedule_.load_wait(static_cast<std::int32_t>(branch.wait));
@@ -45,7 +44,7 @@ class HoldRun {
                 schedule_.load_step(hls::to_words(step, &step == &branch.steps.back()));
             }
         }
-        schedule_.begin_piece(rate, piece == 0);
+        schedule_.begin_piece(piece == 0);
     }
 
     const ref::Plan& plan_;

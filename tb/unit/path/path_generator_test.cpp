@@ -26,6 +26,8 @@ class PathGenerator : public testing::Test {
         dut_->queued_i = 0;
         dut_->rate_valid_i = 0;
         dut_->scaled_i = 0;
+        dut_->steady_i = 0;
+        dut_->passed_i = 0;
         dut_->step_ready_i = 0;
         dut_.reset();
     }

@@ -61,6 +61,8 @@ class TimeScalerBench : public testing::Test {
         const uint64_t before = steps_;
         if (taken) {
             const int32_t rate = kernel_.tick(target, idle, due, [this] { return step(steps_++); });
+            EXPECT_EQ(dut_->steady_o != 0, kernel_.steady());
+            EXPECT_EQ(dut_->passed_o != 0, kernel_.passed());
             landed_ += dut_->land_i;
             expected_.push_back({target, rate});
         }
@@ -107,6 +109,12 @@ class TimeScalerBench : public testing::Test {
         return kind == 0 ? 0 : kind == 1 ? 65536 : static_cast<int32_t>(random_() % 65537);
     }
 
+    /// A rate at which a stop takes a branch, or about the least of these.
+    int32_t any_running() {
+        if (random_() % 3 == 0) return 65536;
+        return ref::kBranchRate - 2 + static_cast<int32_t>(random_() % (random_() % 4 ? 28675 : 5));
+    }
+
     struct Tick {
         int32_t target;
         int32_t rate;
@@ -144,11 +152,13 @@ TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
 TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
     uint64_t steps = 0;
     for (const unsigned every : {20U, 400U, 4000U}) {
-        int32_t target = 65536;
+        int32_t running = 65536;
+        int32_t target = running;
         start(GetParam());
         for (int n = 0; n < 100000 / kFewer; ++n) {
+            if (random_() % (4 * every) == 0) running = any_running();
             if (random_() % every == 0) {
-                target = random_() % 4 == 0 ? any_target() : target == 0 ? 65536 : 0;
+                target = random_() % 4 == 0 ? any_target() : target == 0 ? running : 0;
             }
             const bool due = random_() % (every / 4) == 0;
             const auto wait = static_cast<int32_t>(random_() % every);

@@ -113,9 +113,9 @@ TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
     int stalls = 0;
     const std::size_t words = part_.segments.size() + part_.pieces.size();
     host_.draw(part_, [&] {
-        if (random_() % words >= 8) return;
+        if (random_() % words >= 16) return;
         ++stalls;
-        host_.tenths(random_() % 8000);
+        host_.tenths(4000 + random_() % 8000);
     });
     expect_drawn();
     EXPECT_GT(stalls, 2);
