@@ -112,7 +112,7 @@ class SplineKernel : private C {
         const Coef tau = to_tau<C>(*this, sigma, k_);
         if (C::kSeries) {
             for (int axis = 0; axis < 3; ++axis) {
-                out[axis] = Fine(position_[axis] + fine(horner(net_.x[axis], tau)));
+                out[axis] = Fine(position_[axis] + fine(horner(Variable::kX, net_.x[axis], tau)));
             }
         } else {
             sample_polynomial(tau, out);
@@ -198,7 +198,7 @@ class SplineKernel : private C {
     }
 
     void sample_polynomial(const Coef& tau, Fine* out) const {
-        const Coef q = horner(net_.q, tau);
+        const Coef q = horner(Variable::kQ, net_.q, tau);
         for (int axis = 0; axis < 3; ++axis) {
             const Coef e = Coef(step_b_[axis] + coef(step_a_[axis], q));
             const Coef f = Coef(net_.V[axis][0] + coef(e, q));
@@ -206,10 +206,10 @@ class SplineKernel : private C {
         }
     }
 
-    Coef horner(const Coef* series, const Coef& tau) const {
+    Coef horner(Variable of, const Coef* series, const Coef& tau) const {
         Coef sum = series[C::kOrder];
         for (int i = C::kOrder - 1; i >= 1; --i) {
-            sum = Coef(series[i] + unit(sum, tau));
+            sum = C::keep(of, i, Coef(series[i] + unit(sum, tau)));
         }
         return unit(sum, tau);
     }
