@@ -57,6 +57,15 @@
 //   | 14  | step | ticks [10:0] 1 ..; change [42:11] of the slope of time's rate, each |
 //   |     |      | tick, 2^-32 per tick; last [43]                                     |
 //
+// A change of outputs, before the piece in which the path comes to its place, for boards that have
+// outputs (hls/path_outputs.hpp):
+//
+//   | tag | word   | fields                                                              |
+//   |-----|--------|---------------------------------------------------------------------|
+//   | 15  | output | distance [25:0] from the place of the change before, in whole length |
+//   |     |        | units; value [37:26]; kind [39:38] 0 bits, 1 level, 2 follow;        |
+//   |     |        | number [43:40], one more than in the change before, from 0           |
+//
 // A program ends with a last segment and a final piece, both at the same path. No word of zeros and
 // no word of ones is legal.
 #pragma once
@@ -125,7 +134,8 @@ enum class Tag {
     kC2,
     kC3,
     kStop,
-    kStep
+    kStep,
+    kOutput
 };
 constexpr Field kTagField{44, 4};
 constexpr Field kLengthField{0, ref::kBusLengthBits};  // also ds
@@ -148,6 +158,11 @@ constexpr Field kStopWaitField{0, ref::kStopWaitBits};
 constexpr Field kStepTicksField{0, ref::kStepTicksBits};
 constexpr Field kStepChangeField{11, 32};
 constexpr Field kStepLastField{43, 1};
+
+constexpr Field kOutputDistanceField{0, 26};
+constexpr Field kOutputValueField{26, 12};
+constexpr Field kOutputKindField{38, 2};
+constexpr Field kOutputNumberField{40, 4};
 
 constexpr std::uint64_t mask(Field field) { return (std::uint64_t(1) << field.bits) - 1; }
 constexpr std::uint64_t put(Field field, std::int64_t value) {

@@ -24,6 +24,7 @@ module motion_board #(
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0,     // [0, 15]
+    parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
     parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
     parameter     Data              = ""
 ) (
@@ -48,6 +49,8 @@ module motion_board #(
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
+    output logic      [          7:0] output_o,
+    output logic                      pwm_o,
     output logic                      galvo_clock_o,
     output logic                      galvo_sync_o,
     output logic      [          2:0] galvo_data_o
@@ -100,6 +103,7 @@ module motion_board #(
       .SampleBufferWords(SampleBufferWords),
       .ClockHertz(ClockHertz),
       .Encoders(Encoders),
+      .Outputs(Outputs),
       .Program(Program),
       .Data(Data)
   ) u_system (
@@ -127,6 +131,8 @@ module motion_board #(
       .step_o,
       .direction_o,
       .enable_o,
+      .output_o,
+      .pwm_o,
       .galvo_clock_o,
       .galvo_sync_o,
       .galvo_data_o

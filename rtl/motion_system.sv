@@ -6,12 +6,8 @@
 //               machine_state <- faults <---------------- step_generator -> pins
 //
 // A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due, in
-// position mode from rtl/bus/position_buffer.sv. Requests: rtl/bus/register_file.sv.
-//
-// After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
-// writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words within ROOM;
-// the axes stand at the first sample of the program. After CONTROL.flush the next program has to
-// begin less than a step from where they stand, or they are referenced anew.
+// position mode from rtl/bus/position_buffer.sv. Requests: rtl/bus/register_file.sv; after a reset
+// nothing is enabled, and what a host writes is in sysc/wire/README.md.
 //
 //   clock             0       1       2       3       4
 //   estop_i, limit_i  1
@@ -42,6 +38,7 @@ module motion_system #(
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0,     // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
+    parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
     parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
     parameter     Data              = ""
 ) (
@@ -75,6 +72,8 @@ module motion_system #(
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
+    output logic      [          7:0] output_o,
+    output logic                      pwm_o,
     output logic                      galvo_clock_o,
     output logic                      galvo_sync_o,
     output logic      [          2:0] galvo_data_o
@@ -84,7 +83,7 @@ module motion_system #(
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
   localparam int Capability = system_pkg::capability(
-      Axes, PeriodLog2, Build, Splines, Encoders
+      Axes, PeriodLog2, Build, Splines, Encoders, Outputs
   ) + system_pkg::memories(
       SegmentQueueWords, ProfileQueueWords, SampleBufferWords
   );
@@ -103,7 +102,7 @@ module motion_system #(
   logic [47:0] register_word;
   logic control_asked, control_write, control_ready, state_write, reference_write, reference_ready;
   logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next, path_changes;
-  logic [31:0] command, state, axes, room, samples, steps, note_data, kept;
+  logic [31:0] command, state, axes, room, samples, outputs, steps, note_data, kept;
   logic [63:0] path;
   logic [6:0] note_word, kept_word, setting_word;
   register_file #(
@@ -162,6 +161,7 @@ module motion_system #(
       .axes_i(axes),
       .room_i(room),
       .samples_i(samples),
+      .outputs_i(outputs),
       .path_i(path),
       .rate_i(rate),
       .path_changes_i(path_changes),
@@ -177,7 +177,6 @@ module motion_system #(
       .read_word_i(setting_word),
       .setting_o(setting)
   );
-
   logic hold, ends, empty, begins, active, standing, underrun, words, positions;
   logic [7:0] motion_fault;
   logic [Axes*FineBits-1:0] sample;
@@ -236,10 +235,8 @@ module motion_system #(
       .reference_o(reference_axes),
       .enable_o
   );
-  assign axes = (32'(referenced) << registers_pkg::AxesReferencedLow) |
-      (32'(uncertain) << registers_pkg::AxesUncertainLow) |
-      (32'(limit) << registers_pkg::AxesLimitLow);
-
+  assign axes = system_pkg::axes(9'(referenced), 9'(uncertain), 9'(limit));
+  assign output_o = outputs[31:registers_pkg::OutputsBitsLow];
   machine_inputs #(
       .Axes(Axes),
       .Encoders(Encoders)
@@ -288,6 +285,7 @@ module motion_system #(
       .SamplesAhead(Ahead),
       .SampleBufferWords(SampleBufferWords),
       .PeriodLog2(PeriodLog2),
+      .Outputs(Outputs),
       .Program(Program),
       .Data(Data)
   ) u_sources (
@@ -335,6 +333,9 @@ module motion_system #(
       .reference_i(reference_axes),
       .rates_read_i(rates_read),
       .rates_o(rates),
+      .drawn_i(tick),
+      .outputs_o(outputs),
+      .pwm_o,
       .path_rate_o(rate),
       .path_o(path),
       .path_changes_o(path_changes),
@@ -395,6 +396,5 @@ module motion_system #(
       .refused_o(refused),
       .late_o(late)
   );
-
 endmodule
 `default_nettype wire

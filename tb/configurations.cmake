@@ -80,6 +80,15 @@ foreach(size ${sizes})
 endforeach()
 illegal_parameter_test(position_buffer Holds=2 "Holds must be 0 or 1")
 
+# Outputs along the path: words that wait, form of their memory.
+rows(sizes 64,0 1024,2)
+foreach(size ${sizes})
+  read_row(${size} words form)
+  core_test(path_outputs w${words}_${form_${form}} TOP path_outputs
+            PARAMS Words=${words} Form=${form} SOURCES ${primitives_${form}})
+endforeach()
+illegal_parameter_test(path_outputs Words=96 "Words must be a power of two in .64, 4096.")
+
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
   core_test(folded_datapath splines_${splines} TOP folded_datapath
@@ -381,3 +390,8 @@ system_test(motion_system flat TESTS *.SaysWhat*:*.DrawsAProgram*:*.Random* ${en
             Encoders=2)
 target_link_libraries(motion_system_flat PRIVATE flat_motion_system)
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
+# With outputs along the path.
+set(long_queues SegmentQueueWords=1024 ProfileQueueWords=2048)
+system_test(motion_outputs parallel ${system} ${long_queues} Build=0 PeriodLog2=8 ScaleBits=48
+            Galvo=0 Outputs=64)
+system_test(motion_outputs engine ${engine} ${long_queues} Outputs=1024)

@@ -50,6 +50,8 @@
 #define CURVECORE_CAPABILITY_ENCODERS_MASK 0x02000000u
 #define CURVECORE_CAPABILITY_ENGINE_LOW 26
 #define CURVECORE_CAPABILITY_ENGINE_MASK 0x04000000u
+#define CURVECORE_CAPABILITY_OUTPUTS_LOG2_LOW 27
+#define CURVECORE_CAPABILITY_OUTPUTS_LOG2_MASK 0x78000000u
 
 /* Widths that words are planned for: hls/configuration.hpp. */
 #define CURVECORE_CORE 0x00c
@@ -253,7 +255,7 @@
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu
 
-/* Words that still fit into the queues, or with CAPABILITY.engine into their entry, which has 128 words. A program's words do not enter before the other stream has ended the program before. */
+/* Words that still fit into the queues, or with CAPABILITY.engine into their entry, which has 128 words; of the profile as many as changes of outputs fit, too. A program's words do not enter before the other stream has ended the program before. */
 #define CURVECORE_ROOM 0x06c
 #define CURVECORE_ROOM_SEGMENT_LOW 0
 #define CURVECORE_ROOM_SEGMENT_MASK 0x0000ffffu
@@ -324,6 +326,13 @@
 #define CURVECORE_FOLLOWING_WORST0 0x0d8
 #define CURVECORE_FOLLOWING_WORST0_ERROR_LOW 0
 #define CURVECORE_FOLLOWING_WORST0_ERROR_MASK 0xffffffffu
+
+/* Outputs, which changes in the stream of the profile switch along the path (hls/path_outputs.hpp). Without STATE.enabled all are off. */
+#define CURVECORE_OUTPUTS 0x0fc
+#define CURVECORE_OUTPUTS_POWER_LOW 8
+#define CURVECORE_OUTPUTS_POWER_MASK 0x000fff00u
+#define CURVECORE_OUTPUTS_BITS_LOW 24
+#define CURVECORE_OUTPUTS_BITS_MASK 0xff000000u
 
 /* Low 32 bits of the scale, to be written before the others. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests of a program besides motion, such as M3: nothing is switched, they are kept with their
-// places.
+// Requests of a program besides motion, such as M3, with their places.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +16,29 @@ class Events {
     /// | code   |      | index into codes()                                                  |
     /// | value  |      | number of S and T, P or Q of outputs; else 0                        |
     /// | length | mm   | of all moves before it, as Move::length()                           |
+    /// | rested |      | a dwell is between the last move and it                             |
     struct Event {
         int line;
         int code;
         double value;
         double length;
+        bool rested;
     };
 
-    void add(const std::string& code, int line, double value, double length) {
-        auto known = std::find(codes_.begin(), codes_.end(), code);
-        if (known == codes_.end()) known = codes_.insert(known, code);
-        list_.push_back({line, static_cast<int>(known - codes_.begin()), value, length});
+    /// An event with its code by name.
+    struct Named {
+        std::string code;
+        int line;
+        double value;
+        double length;
+        bool rested;
+    };
+
+    void add(const Named& event) {
+        auto known = std::find(codes_.begin(), codes_.end(), event.code);
+        if (known == codes_.end()) known = codes_.insert(known, event.code);
+        list_.push_back({event.line, static_cast<int>(known - codes_.begin()), event.value,
+                         event.length, event.rested});
     }
 
     const std::vector<Event>& list() const { return list_; }

@@ -28,6 +28,7 @@ constexpr double kPathTolerance = 0.01;  // mm
 /// | cubic    | mm      | its ends are `start` and `end` to 1e-8 mm; length > 0, may stand    |
 /// |          |         | still in points (cusps)                                            |
 /// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
+/// | from, to | mm      | the programmed path that it draws, by the length of all moves       |
 struct Move {
     enum class Kind { kLine, kArc, kCubic };
 
@@ -48,6 +49,8 @@ struct Move {
     double dwell = 0;         // s, rest after it (implies a stop)
     double tolerance = 0;     // mm: allowed distance from where it is programmed (G64 P)
     double deviation = 0;     // mm: bound of that distance
+    double from = 0;
+    double to = 0;
 
     /// Length along the path, mm: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
     /// mm). An arc with an advance in its plane has |dr/ds| <= 1, with 1 where it is fastest, so it

@@ -49,7 +49,10 @@ MovePlace place_on(const Move& move, double s) {
 Move part_of(const Move& move, double from, double to) {
     const double length = move.length();
     const double share = (to - from) / length;
+    const double asked = (move.to - move.from) / length;
     Move part = move;
+    part.from += asked * from;
+    if (to < length) part.to = move.from + asked * to;
     const bool still = move.kind == Move::Kind::kLine && move.start == move.end;
     const auto at = [&](double s) { return still ? move.start : place_on(move, s).position; };
     if (from > 0) part.start = at(from);

@@ -35,7 +35,13 @@ class MoveStream {
     /// Number of auxiliary axes, known at the end.
     virtual int aux_axes() const = 0;
     virtual const std::vector<std::string>& warnings() const = 0;
-    virtual Events events() const { return {}; }
+    /// Leaves codes of outputs, which are obeyed, out of the warnings; to be called at first.
+    virtual void obey_outputs() {}
+    /// Events that are read so far: those before a move are, when it is given.
+    virtual const Events& events() const {
+        static const Events kNone;
+        return kNone;
+    }
 };
 
 /// Makes a source of a program, which must outlive it.

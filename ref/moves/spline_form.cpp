@@ -47,7 +47,9 @@ void share(const Move& spline, std::vector<Move>& pieces) {
     Aux aux = spline.aux_start;
     for (Move& piece : pieces) {
         const bool last = &piece == &pieces.back();
+        piece.from = spline.from + (spline.to - spline.from) * (reached / total);
         reached += piece.length();
+        if (!last) piece.to = spline.from + (spline.to - spline.from) * (reached / total);
         piece.aux_start = aux;
         for (std::size_t i = 0; !last && i < kAuxAxes; ++i) {
             aux[i] =

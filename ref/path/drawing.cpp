@@ -106,7 +106,8 @@ void Drawing::round_corner(std::size_t i) {
     const Move& before = joints_.move(i - 1);
     const Corner corner = *corner_of(before, joints_.move(i), joints_[i].reach);
     copy_to(joints_[i].s - corner.reach);
-    append(before, corner.points, corner.deviation);
+    append(before, {joints_[i].s - corner.reach, joints_[i].s + corner.reach, corner.points,
+                    corner.deviation});
     drawn_.back().feed = std::min(before.feed, joints_.move(i).feed);
     reached_ = joints_[i].s + corner.reach;
     ++report_.corners;
@@ -145,7 +146,7 @@ std::size_t Drawing::draw_curve(std::size_t first) {
     std::size_t move = first > 0 ? first - 1 : 0;
     for (const TubePiece& piece : pieces) {
         while (joints_[move + 1].s < (piece.s0 + piece.s1) / 2) ++move;
-        append(joints_.move(move), piece.points, piece.deviation);
+        append(joints_.move(move), piece);
     }
     reached_ = task.to;
     ++report_.curves;
@@ -212,9 +213,12 @@ void Drawing::copy_to(double s) {
 }
 
 /// Appends a cubic with the words of a programmed move.
-void Drawing::append(const Move& programmed, Bezier points, double deviation) {
+void Drawing::append(const Move& programmed, const TubePiece& piece) {
+    Bezier points = piece.points;
     if (!drawn_.empty()) points[0] = drawn_.back().end;
     Move move;
+    move.from = joints_.move(0).from + piece.s0;
+    move.to = joints_.move(0).from + piece.s1;
     move.line = programmed.line;
     move.rapid = programmed.rapid;
     move.feed = programmed.feed;
@@ -222,7 +226,7 @@ void Drawing::append(const Move& programmed, Bezier points, double deviation) {
     move.aux_start = move.aux_end = programmed.aux_start;
     move.start = points[0];
     move.end = points[3];
-    move.deviation = deviation + programmed.deviation;
+    move.deviation = piece.deviation + programmed.deviation;
     if (!is_straight(points)) {
         move.kind = Move::Kind::kCubic;
         move.cubic = from_bezier(points);

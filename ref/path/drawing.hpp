@@ -46,7 +46,7 @@ class Drawing {
     void round_corner(std::size_t joint);
     void copy_to(double s);
     std::deque<Move> finish();
-    void append(const Move& programmed, Bezier points, double deviation);
+    void append(const Move& programmed, const TubePiece& piece);
 
     const PathJoints& joints_;
     const Pace& pace_;

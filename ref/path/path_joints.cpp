@@ -46,6 +46,7 @@ PathJoints::PathJoints(const std::vector<Move>& moves, double tolerance, Rest re
     for (const Move& move : moves) {
         if (!moves_.empty() && one_line(moves_.back(), move)) {
             moves_.back().end = move.end;
+            moves_.back().to = move.to;
             moves_.back().exact_stop = move.exact_stop;
             moves_.back().dwell = move.dwell;
         } else {

@@ -7,6 +7,7 @@
 
 #include "ref/curve/axes.hpp"
 #include "ref/curve/drawn/drawn_curve.hpp"
+#include "ref/plan/planned_output.hpp"
 #include "ref/plan/profile_piece.hpp"
 
 namespace curvecore::ref {
@@ -86,6 +87,7 @@ struct Plan : PlanFrame {
     std::vector<Segment> segments;
     std::vector<ProfilePiece> pieces;
     std::vector<PlannedBranch> branches;  // by their pieces, none twice
+    std::vector<PlannedOutput> outputs;   // by their places
     double duration_s = 0;
     std::size_t slowed_moves = 0;  // moves slowed so that queued words outlast a stop
     int slowed_line = 0;           // line of the first of them

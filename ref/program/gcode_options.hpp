@@ -14,6 +14,7 @@ struct GcodeOptions {
     double fit_tolerance = kFitTolerance;  // mm, for NURBS that are no cubics
     std::optional<Dialect> dialect;        // none: recognised from the program
     ProgramStart start;
+    bool outputs = false;  // codes of outputs are obeyed (ref/outputs/output_course.hpp)
 };
 
 }  // namespace curvecore::ref

@@ -15,7 +15,8 @@ class GcodeStream : public BlockStream {
     GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options);
 
     std::optional<Dialect> dialect() const override { return flow_.dialect(); }
-    Events events() const override { return interpreter_.events(); }
+    void obey_outputs() override { interpreter_.obey_outputs(); }
+    const Events& events() const override { return interpreter_.events(); }
 
   private:
     /// Modes that a call, or the program itself, has saved.

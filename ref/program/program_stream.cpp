@@ -34,6 +34,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     if (file == kStandardInput) {
         file_ = "stdin";
         gcode_ = std::make_unique<GcodeStream>(std::cin, file_, options);
+        if (gcode.outputs) gcode_->obey_outputs();
         return;
     }
     if (is_points_file(file)) {
@@ -50,6 +51,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     }
     text_ = std::make_unique<std::ifstream>(open_text_file(file));
     gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, options);
+    if (gcode.outputs) gcode_->obey_outputs();
 }
 
 ProgramStream::ProgramStream(HeldProgram program)
@@ -72,7 +74,7 @@ const std::vector<std::string>& ProgramStream::warnings() const {
     return gcode_ ? gcode_->warnings() : whole_.warnings;
 }
 
-Events ProgramStream::events() const { return gcode_ ? gcode_->events() : whole_.events; }
+const Events& ProgramStream::events() const { return gcode_ ? gcode_->events() : whole_.events; }
 
 HeldProgram ProgramStream::held() {
     Program program = read_all(*this, file_);

@@ -50,7 +50,7 @@ class ProgramStream : public MoveStream {
     std::optional<Dialect> dialect() const override;
     int aux_axes() const override;
     const std::vector<std::string>& warnings() const override;
-    Events events() const override;
+    const Events& events() const override;
     /// Reads all of it. @throws InputError
     HeldProgram held();
 

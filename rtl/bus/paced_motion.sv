@@ -29,6 +29,7 @@ module paced_motion #(
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int PeriodLog2        = 13,
+    parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
     parameter     Program           = "",    // files of Build 2
     parameter     Data              = ""
 ) (
@@ -75,6 +76,12 @@ module paced_motion #(
     input wire logic [4:0] rates_read_i,
     output logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
+    // Outputs: rtl/output/path_outputs.sv
+    input  wire logic        drawn_i,
+    output logic      [ 7:0] bits_o,
+    output logic      [11:0] power_o,
+    output logic             pwm_o,
+
     // Telemetry
     output logic [16:0] path_rate_o,
     output logic [63:0] path_o,
@@ -110,13 +117,18 @@ module paced_motion #(
   logic profile_ready;
   logic segment_valid;
   logic profile_valid;
+  logic of_outputs;  // the profile's word
+  logic outputs_ready;
+  logic [15:0] profile_room, outputs_room;
   assign segment_ready_o = rst_n && segment_ready && segment_room_o != '0;
-  assign profile_ready_o = rst_n && profile_ready && profile_room_o != '0;
-  assign segment_valid   = segment_valid_i && segment_room_o != '0;
-  assign profile_valid   = profile_valid_i && profile_room_o != '0;
+  assign profile_ready_o = rst_n &&
+      (of_outputs ? outputs_ready : profile_ready && profile_room != '0);
+  assign segment_valid = segment_valid_i && segment_room_o != '0;
+  assign profile_valid = profile_valid_i && profile_room != '0 && !of_outputs;
+  assign profile_room_o = (outputs_room < profile_room) ? outputs_room : profile_room;
   logic segment_leaves;
   logic profile_leaves;
-  logic unused_path_valid;
+  logic path_valid;
   logic [47:0] unused_path_ds;
   logic unused_path_active;
   logic unused_killed;
@@ -175,7 +187,7 @@ module paced_motion #(
         .segment_leaves_o(segment_leaves),
         .profile_leaves_o(profile_leaves),
         .segment_room_o,
-        .profile_room_o,
+        .profile_room_o(profile_room),
         .sample_request_valid_i(1'b1),
         .sample_request_ready_o(unused_request_ready),
         .hold_i,
@@ -190,7 +202,7 @@ module paced_motion #(
         .references_i(9'(references)),
         .axis_i(axis_o),
         .scale_last_o(scale_last),
-        .path_valid_o(unused_path_valid),
+        .path_valid_o(path_valid),
         .path_ds_o(unused_path_ds),
         .path_rate_o,
         .path_active_o(unused_path_active),
@@ -284,7 +296,7 @@ module paced_motion #(
         .sample_ready_i(taken),
         .sample_position_o(unused_position),
         .sample_fine_o(sample_o),
-        .path_valid_o(unused_path_valid),
+        .path_valid_o(path_valid),
         .path_ds_o(unused_path_ds),
         .path_rate_o,
         .path_active_o(unused_path_active),
@@ -310,9 +322,9 @@ module paced_motion #(
     ) u_profile_room (
         .clk_i,
         .rst_ni (rst_n),
-        .put_i  (profile_valid_i && profile_ready_o),
+        .put_i  (profile_valid_i && profile_ready_o && !of_outputs),
         .leave_i(profile_leaves),
-        .room_o (profile_room_o)
+        .room_o (profile_room)
     );
     assign path_changes_o = 1'b0;
     assign axis_o = '0;
@@ -320,7 +332,39 @@ module paced_motion #(
     assign setting_next_o = 1'b0;
     assign setting_word_o = '0;
     logic unused;
-    assign unused = &{1'b0, setting_i, off_i, reference_i, by_host_i, position_i, rates_read_i};
+    assign unused = &{1'b0, setting_i, reference_i, position_i, rates_read_i};
+  end
+
+  if (Outputs != 0) begin : g_outputs
+    path_outputs #(
+        .Words(Outputs),
+        .Form (MultiplierForm)
+    ) u_outputs (
+        .clk_i,
+        .rst_ni  (rst_n),
+        .valid_i (profile_valid_i),
+        .word_i,
+        .next_o  (of_outputs),
+        .ready_o (outputs_ready),
+        .room_o  (outputs_room),
+        .made_i  (path_valid),
+        .path_i  (path_o[39:8]),
+        .taken_i (taken && !by_host_i),
+        .drawn_i,
+        .enable_i(!off_i),
+        .bits_o,
+        .power_o,
+        .pwm_o
+    );
+  end else begin : g_no_outputs
+    logic unused;
+    assign of_outputs = 1'b0;
+    assign outputs_ready = 1'b0;
+    assign outputs_room = '1;
+    assign bits_o = '0;
+    assign power_o = '0;
+    assign pwm_o = 1'b0;
+    assign unused = &{1'b0, drawn_i, path_valid, by_host_i, off_i};
   end
 
 endmodule

@@ -88,6 +88,7 @@ module register_file #(
     input  wire logic [31:0] axes_i,
     input  wire logic [31:0] room_i,
     input  wire logic [31:0] samples_i,
+    input  wire logic [31:0] outputs_i,
     input  wire logic [63:0] path_i,
     input  wire logic [16:0] rate_i,
     input  wire logic        path_changes_i,  // path or rate: the next clock has parts of two
@@ -316,7 +317,8 @@ module register_file #(
     Room,
     Samples,
     PathLo,
-    Steps
+    Steps,
+    Outputs
   } answer_t;
   (* fsm_encoding = "none" *)
   answer_t answer_q;
@@ -328,6 +330,7 @@ module register_file #(
       registers_pkg::Room: answer_q <= Room;
       registers_pkg::Samples: answer_q <= Samples;
       registers_pkg::PathLo: answer_q <= PathLo;
+      registers_pkg::Outputs: answer_q <= Outputs;
       default: answer_q <= of_axis && word_i[1:0] == registers_pkg::AxisSteps ? Steps : Kept;
     endcase
   end
@@ -339,7 +342,8 @@ module register_file #(
       Room:    answer = room_i;
       Samples: answer = samples_i;
       PathLo:  answer = path_i[31:0];
-      default: answer = steps_i;
+      Steps:   answer = steps_i;
+      default: answer = outputs_i;
     endcase
   end
   always_ff @(posedge clk_i) begin

@@ -43,6 +43,7 @@ package registers_pkg;
   localparam logic [6:0] Origin0 = 7'd36;
   localparam logic [6:0] Encoder0 = 7'd45;
   localparam logic [6:0] FollowingWorst0 = 7'd54;
+  localparam logic [6:0] Outputs = 7'd63;
   localparam logic [6:0] Following0 = 7'd100;
   localparam logic [6:0] EncoderRatio0 = 7'd109;
   localparam logic [6:0] FollowingLimit0 = 7'd118;
@@ -68,6 +69,7 @@ package registers_pkg;
   localparam int CapabilitySampleBufferLog2Low = 21;
   localparam int CapabilityEncodersLow = 25;
   localparam int CapabilityEngineLow = 26;
+  localparam int CapabilityOutputsLog2Low = 27;
   localparam int CoreOrderLow = 0;
   localparam int CoreModeLow = 4;
   localparam int CoreCoefBitsLow = 6;
@@ -147,6 +149,8 @@ package registers_pkg;
   localparam int Origin0StepsLow = 0;
   localparam int Encoder0CountLow = 0;
   localparam int FollowingWorst0ErrorLow = 0;
+  localparam int OutputsPowerLow = 8;
+  localparam int OutputsBitsLow = 24;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleHiScaleLow = 0;
   localparam int StepsCountLow = 0;
@@ -213,6 +217,7 @@ package registers_pkg;
       7'd60,
       7'd61,
       7'd62,
+      Outputs,
       Following0,
       7'd101,
       7'd102,

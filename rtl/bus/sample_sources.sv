@@ -26,6 +26,7 @@ module sample_sources #(
     parameter int SamplesAhead      = 4,
     parameter int SampleBufferWords = 512,
     parameter int PeriodLog2        = 13,
+    parameter int Outputs           = 0,
     parameter     Program           = "",
     parameter     Data              = ""
 ) (
@@ -87,6 +88,11 @@ module sample_sources #(
     input  wire logic [                                   4:0] rates_read_i,
     output logic      [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
+    // Outputs: rtl/output/path_outputs.sv
+    input  wire logic        drawn_i,
+    output logic      [31:0] outputs_o,  // contents of the register OUTPUTS
+    output logic             pwm_o,
+
     // Telemetry
     output logic [16:0] path_rate_o,
     output logic [63:0] path_o,
@@ -122,6 +128,10 @@ module sample_sources #(
       .word_o(word)
   );
 
+  logic [ 7:0] bits;
+  logic [11:0] power;
+  assign outputs_o = (32'(bits) << registers_pkg::OutputsBitsLow) |
+      (32'(power) << registers_pkg::OutputsPowerLow);
   logic motion_empty;
   logic motion_valid;
   logic motion_taken;
@@ -143,6 +153,7 @@ module sample_sources #(
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(SamplesAhead),
       .PeriodLog2(PeriodLog2),
+      .Outputs(Outputs),
       .Program(Program),
       .Data(Data)
   ) u_motion (
@@ -178,6 +189,10 @@ module sample_sources #(
       .position_i(position),
       .rates_read_i,
       .rates_o,
+      .drawn_i,
+      .bits_o(bits),
+      .power_o(power),
+      .pwm_o,
       .path_rate_o,
       .path_o,
       .path_changes_o,

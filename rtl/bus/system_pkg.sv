@@ -4,13 +4,14 @@
 package system_pkg;
 
   function automatic int capability(input int axes, input int period_log2, input int build,
-                                    input int splines, input int encoders);
+                                    input int splines, input int encoders, input int outputs);
     capability = (axes << registers_pkg::CapabilityAxesLow) +
         (period_log2 << registers_pkg::CapabilityPeriodLog2Low) +
         ((build & 1) << registers_pkg::CapabilityBuildLow) +
         ((build >> 1) << registers_pkg::CapabilityEngineLow) +
         (splines << registers_pkg::CapabilitySplinesLow) +
-        ((encoders != 0 ? 1 : 0) << registers_pkg::CapabilityEncodersLow);
+        ((encoders != 0 ? 1 : 0) << registers_pkg::CapabilityEncodersLow) +
+        ($clog2(outputs) << registers_pkg::CapabilityOutputsLog2Low);
   endfunction
 
   // The rest of that register
@@ -25,6 +26,13 @@ package system_pkg;
     widths = (time_bits << registers_pkg::WidthsTimeBitsLow) +
         (scale_bits << registers_pkg::WidthsScaleBitsLow) +
         (samples_ahead << registers_pkg::WidthsSamplesAheadLow);
+  endfunction
+
+  function automatic logic [31:0] axes(input logic [8:0] referenced, input logic [8:0] uncertain,
+                                       input logic [8:0] limit);
+    axes = (32'(referenced) << registers_pkg::AxesReferencedLow) |
+        (32'(uncertain) << registers_pkg::AxesUncertainLow) |
+        (32'(limit) << registers_pkg::AxesLimitLow);
   endfunction
 
   function automatic int core(input int order, input int mode, input int coef_bits,

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "hls/path_kernel.hpp"
+#include "hls/path_outputs.hpp"
 #include "hls/stop_schedule.hpp"
 #include "hls/words.hpp"
 
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
         {"End", Tag::kEnd},         {"Tangent", Tag::kTangent}, {"Normal", Tag::kNormal},
         {"Advance", Tag::kAdvance}, {"Piece", Tag::kPiece},     {"Ds", Tag::kDs},
         {"C1", Tag::kC1},           {"C2", Tag::kC2},           {"C3", Tag::kC3},
-        {"Stop", Tag::kStop},       {"Step", Tag::kStep}};
+        {"Stop", Tag::kStop},       {"Step", Tag::kStep},       {"Output", Tag::kOutput}};
     for (const auto& [name, tag] : tags) {
         file.print("  localparam logic [3:0] Tag{} = 4'd{};\n", name, static_cast<int>(tag));
     }
@@ -52,7 +53,11 @@ int main(int argc, char** argv) {
                                                     {"StopWait", kStopWaitField},
                                                     {"StepTicks", kStepTicksField},
                                                     {"StepChange", kStepChangeField},
-                                                    {"StepLast", kStepLastField}};
+                                                    {"StepLast", kStepLastField},
+                                                    {"OutputDistance", kOutputDistanceField},
+                                                    {"OutputValue", kOutputValueField},
+                                                    {"OutputKind", kOutputKindField},
+                                                    {"OutputNumber", kOutputNumberField}};
     file.print("\n  // Lowest bits, and how many\n");
     for (const auto& [name, field] : fields) {
         file.print("  localparam int {}Low = {};\n", name, field.low);
@@ -77,6 +82,13 @@ int main(int argc, char** argv) {
     file.print("  localparam int StopLead = {};\n", kStopLead);
     file.print("  localparam int StopSteps = {};\n", kStopSteps);
     file.print("  localparam int BranchRate = {};  // 16 fraction bits\n", ref::kBranchRate);
+    file.print("\n  // Kinds of changes of outputs: hls/path_outputs.hpp\n");
+    const std::pair<const char*, OutputKind> kinds[] = {{"Bits", OutputKind::kBits},
+                                                        {"Level", OutputKind::kLevel},
+                                                        {"Follow", OutputKind::kFollow}};
+    for (const auto& [name, kind] : kinds) {
+        file.print("  localparam logic [1:0] Output{} = 2'd{};\n", name, static_cast<int>(kind));
+    }
     file.print(
         "\n  // Ticks without a program behind which nothing is under way: "
         "rtl/time/idle_gate.sv\n");

@@ -19,6 +19,7 @@ package words_pkg;
   localparam logic [3:0] TagC3 = 4'd12;
   localparam logic [3:0] TagStop = 4'd13;
   localparam logic [3:0] TagStep = 4'd14;
+  localparam logic [3:0] TagOutput = 4'd15;
 
   // Lowest bits, and how many
   localparam int TagLow = 44;
@@ -61,6 +62,14 @@ package words_pkg;
   localparam int StepChangeBits = 32;
   localparam int StepLastLow = 43;
   localparam int StepLastBits = 1;
+  localparam int OutputDistanceLow = 0;
+  localparam int OutputDistanceBits = 26;
+  localparam int OutputValueLow = 26;
+  localparam int OutputValueBits = 12;
+  localparam int OutputKindLow = 38;
+  localparam int OutputKindBits = 2;
+  localparam int OutputNumberLow = 40;
+  localparam int OutputNumberBits = 4;
 
   // Largest values
   localparam logic [4:0] MostStepExponent = 5'd27;
@@ -77,6 +86,11 @@ package words_pkg;
   localparam int StopLead = 32;
   localparam int StopSteps = 256;
   localparam int BranchRate = 36864;  // 16 fraction bits
+
+  // Kinds of changes of outputs: hls/path_outputs.hpp
+  localparam logic [1:0] OutputBits = 2'd0;
+  localparam logic [1:0] OutputLevel = 2'd1;
+  localparam logic [1:0] OutputFollow = 2'd2;
 
   // Ticks without a program behind which nothing is under way: rtl/time/idle_gate.sv
   localparam int IdleTicks = 16;

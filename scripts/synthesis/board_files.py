@@ -56,7 +56,8 @@ MOTION = """  reg [7:0] start = 8'd0;
     .byte_valid_o(out_valid), .byte_ready_i(out_ready), .byte_o(out),
     .estop_i(estop), .limit_i(limit), .probe_i({probe}), .home_i({home}),
     .encoder_a_i({encoder_a}), .encoder_b_i({encoder_b}),
-    .step_o(step), .direction_o(direction), .enable_o(enable)
+    .step_o(step), .direction_o(direction), .enable_o(enable),
+    .output_o({outputs}), .pwm_o({pwm})
   );
 """
 
@@ -67,6 +68,7 @@ PINS = """  reg [7:0] count = 8'd0;
   assign direction = limit ^ {encoder_a} ^ {encoder_b};
   assign enable = estop ^ count[7] ^ {probe};
 """
+OUTPUTS = "  wire [7:0] switched;\n  assign outputs = switched[{last}:0];\n"
 
 
 def top(board, settings, pins_alone=False):
@@ -78,10 +80,20 @@ def top(board, settings, pins_alone=False):
     inputs |= {name: name for name in inputs if name in board.pins}
     more = "".join(f", input {'' if name == 'probe' else axes + ' '}{name}" for name in inputs
                    if name in board.pins)
+    last = len(board.pins.get("outputs", "")) - 1
+    switched = f", output [{last}:0] outputs" if "outputs" in board.pins else ""
+    switched += ", output pwm" if "pwm" in board.pins else ""
+    wires = {"outputs": "switched" if "outputs" in board.pins else "",
+             "pwm": "pwm" if "pwm" in board.pins else ""}
+    body = OUTPUTS.format(last=last) if "outputs" in board.pins else ""
+    if pins_alone:
+        body += "  assign switched = count;\n" if "outputs" in board.pins else ""
+        body += "  assign pwm = count[0];\n" if "pwm" in board.pins else ""
     values = ", ".join(f".{name}({value})" for name, value in settings.items())
     return (f"module top (\n  input clk, input uart_rx, input estop, input {axes} limit{more},\n"
-            f"  output uart_tx, output {axes} step, output {axes} direction, output enable\n);\n"
+            f"  output uart_tx, output {axes} step, output {axes} direction, output enable"
+            f"{switched}\n);\n"
             + (CLOCK if board.clock_hz == board.oscillator_hz else PLL)
-            + (PINS.format(**inputs) if pins_alone else
-               MOTION.format(values=values, bit_clocks=board.bit_clocks, **inputs))
+            + (PINS.format(**inputs) + body if pins_alone else body +
+               MOTION.format(values=values, bit_clocks=board.bit_clocks, **inputs, **wires))
             + "endmodule\n")

@@ -6,7 +6,8 @@
     baud                    of the UART
     parameters              of rtl/motion_board.sv; the other ones follow or have their defaults
     pins                    names of balls or pins; of step, direction and limit one for each axis;
-                            and where there are any probe, home, encoder_a, encoder_b
+                            and where there are any probe, home, encoder_a, encoder_b, outputs (one
+                            to eight), pwm
     loader                  where openFPGALoader knows the board, its name there
     board, where            for people
 """
@@ -22,8 +23,9 @@ from synthesis.refused import Refused
 FOLDER = ROOT / "scripts" / "boards"
 TOP = "motion_board"
 PINS = ("clk", "uart_rx", "uart_tx", "step", "direction", "enable", "estop", "limit")
-OPTIONAL = ("probe", "home", "encoder_a", "encoder_b")
-PULLED_UP = ("uart_rx", "estop", "limit", *OPTIONAL)
+INPUTS = ("probe", "home", "encoder_a", "encoder_b")
+OPTIONAL = (*INPUTS, "outputs", "pwm")
+PULLED_UP = ("uart_rx", "estop", "limit", *INPUTS)
 OF_AXES = ("step", "direction", "limit", "home", "encoder_a", "encoder_b")
 BAUD_ERROR = 0.02  # a byte of ten bits is sampled in their middle: half a bit off in 9.5 is 5 %
 LEAST_BIT_CLOCKS = 8
@@ -62,7 +64,7 @@ class Board:
         for name in PINS + OPTIONAL:
             if name not in self.pins:
                 continue
-            if name in OF_AXES:
+            if name in OF_AXES or name == "outputs":
                 yield from ((f"{name}[{axis}]", pin, name in PULLED_UP)
                             for axis, pin in enumerate(self.pins[name]))
             else:
@@ -124,6 +126,10 @@ def check_pins(board):
              board.parameters.get("Encoders", "0") != "0"}
     if len(given) > 1:
         raise Refused("encoders have pins encoder_a and encoder_b, and the parameter Encoders")
+    given = {"outputs" in board.pins or "pwm" in board.pins,
+             board.parameters.get("Outputs", "0") != "0"}
+    if len(given) > 1 or not 1 <= len(board.pins.get("outputs", "1")) <= 8:
+        raise Refused("outputs have pins outputs, eight at most, or pwm, and the parameter Outputs")
     for name in OF_AXES:
         if name not in board.pins:
             continue

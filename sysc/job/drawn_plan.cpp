@@ -17,6 +17,7 @@ void DrawnPlan::append(const ref::Plan& part) {
         }
         pieces.push_back(part.pieces[i]);
     }
+    for (const ref::PlannedOutput& output : part.outputs) outputs.push_back(output);
     for (const ref::PlannedBranch& branch : part.branches) {
         longest_stop = std::max(longest_stop, wait_ + ref::ticks_of(branch.steps));
         wait_ = branch.wait;

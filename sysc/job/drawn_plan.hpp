@@ -14,6 +14,7 @@ class DrawnPlan : public ref::PlanFrame {
     FileList<ref::Move> moves;  // moves of the drawn path, complete before they are planned
     FileList<ref::Segment> segments;
     FileList<ref::ProfilePiece> pieces;
+    FileList<ref::PlannedOutput> outputs;
 
     double duration_s = 0;
     std::size_t slowed_moves = 0;  // moves slowed to the time that the queues cover
@@ -23,8 +24,8 @@ class DrawnPlan : public ref::PlanFrame {
     std::uint64_t longest_stop = 0;  // ticks from a hold at the rate 1 to rest, with branches
     std::size_t stops = 0;           // stops in the profile
 
-    /// Sets the digest that all words carry.
-    void made_for(std::uint16_t digest) { writer_ = ProfileWriter(digest); }
+    /// Sets the writer of its profile's words.
+    void made_for(const ProfileWriter& writer) { writer_ = writer; }
     /// Appends the next part, whose moves are complete.
     void append(const ref::Plan& part);
 

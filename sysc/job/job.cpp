@@ -28,6 +28,12 @@ std::size_t fewest_segments(const Job& job) {
 
 }  // namespace
 
+ProfileWriter profile_writer(const Job& job) {
+    const Options& options = job.options;
+    if (options.outputs == 0) return ProfileWriter(job.digest());
+    return {job.digest(), OutputWriter(options.sample_period_s, options.unit_mm)};
+}
+
 std::uint16_t Job::digest() const { return made_for(options, machine).digest(); }
 
 const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }

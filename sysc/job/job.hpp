@@ -41,6 +41,9 @@ struct Job {
     bool is_smooth() const;
 };
 
+/// Returns the writer of a job's profile: with changes of outputs, where the board has some.
+ProfileWriter profile_writer(const Job& job);
+
 /// Reads the machine that the options name, or the built-in one. @throws ref::InputError
 ref::Machine machine_of(const Options& options);
 

@@ -144,6 +144,7 @@ void JobStream::use(const Seen& seen) {
 bool JobStream::take(ref::Move& move) {
     if (!parts_.next(move)) return false;
     ++given_;
+    outputs_->add(move, moves_->program().events());
     if (keeps_) job_.plan.moves.push_back(move);
     return true;
 }
@@ -175,6 +176,8 @@ const ref::Plan* JobStream::next() {
         end();
         return nullptr;
     }
+    if (part_->segments.back().last) outputs_->end(moves_->program().events());
+    outputs_->place(*part_);
     static_cast<ref::PlanFrame&>(job_.plan) = *part_;
     duration_s_ += part_->duration_s;
     job_.plan.slowed_moves += part_->slowed_moves;
@@ -201,7 +204,9 @@ void JobStream::begin() {
     }
     ref::PlanOptions options = job_.options.plan_options();
     options.cuts = moves_->cuts();
-    job_.plan.made_for(job_.digest());
+    outputs_.emplace(job_.options.rules, job_.options.feed_factor(), job_.options.outputs,
+                     job_.program.file);
+    job_.plan.made_for(profile_writer(job_));
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
                   job_.machine, options);

@@ -6,6 +6,7 @@
 
 #include "ref/feed/plan_stream.hpp"
 #include "ref/limits/move_parts.hpp"
+#include "ref/outputs/placed_outputs.hpp"
 #include "sysc/job/drawn_moves.hpp"
 #include "sysc/job/job.hpp"
 
@@ -65,6 +66,7 @@ class JobStream {
     std::size_t taken_ = 0;         // number of these that were taken
     bool splines_ = false;
     double fastest_ = 0;
+    std::optional<ref::PlacedOutputs> outputs_;
     std::optional<ref::PlanStream> plan_;
     std::optional<ref::Plan> part_;
     std::size_t given_ = 0;  // number of moves given

@@ -33,7 +33,8 @@ class LinuxcncProgram : public ref::BlockStream {
     LinuxcncProgram(std::vector<std::string> command, const std::string& file,
                     double fit_tolerance);
 
-    ref::Events events() const override { return moves_.events(); }
+    void obey_outputs() override { moves_.obey_outputs(); }
+    const ref::Events& events() const override { return moves_.events(); }
 
   private:
     bool read() override;

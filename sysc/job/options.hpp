@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ref/outputs/output_course.hpp"
 #include "ref/program/program_stream.hpp"
 #include "ref/segment/plan_options.hpp"
 #include "sysc/core/core_parameters.hpp"
@@ -38,6 +39,8 @@ struct Options {
     int samples_per_tick = 1;
     int segment_queue_words = ref::kSegmentQueueWords;  // of the core, not more than boards have
     int profile_queue_words = ref::kProfileQueueWords;
+    int outputs = 0;         // changes of outputs that wait at the board; 0: it has none
+    ref::OutputRules rules;  // of outputs
     double clock_hz = 100e6;
     bool clock_set = false;    // true: set by --clock or --core; false: the device's
     std::string device;        // empty: any

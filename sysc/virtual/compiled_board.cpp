@@ -45,6 +45,7 @@ class CompiledBoard : public VirtualModel {
         out.enable = dut_->enable_o != 0;
         out.step = dut_->step_o;
         out.direction = dut_->direction_o;
+        out.outputs = dut_->output_o | (dut_->pwm_o != 0 ? 1U << 8 : 0);
         clocks = dut_.cycle();
     }
 

@@ -32,7 +32,8 @@ std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
                                       {"Mode", 1},
                                       {"PeriodLog2", times.period_log2},
                                       {"ClockHertz", static_cast<int>(times.clock_hz)},
-                                      {"Encoders", 2}}) {
+                                      {"Encoders", 2},
+                                      {"Outputs", 1024}}) {
         model.parameters.push_back(fmt::format("{}={}", name, value));
     }
     auto* const make = reinterpret_cast<MakeVirtualModel*>(CoreCache().open(model, false));
@@ -115,6 +116,12 @@ std::optional<Bytes> VirtualBoard::clock() {
             move(axis, back);
             step_({clocks(), axis, back});
         }
+    }
+    const unsigned edges = out.outputs ^ outputs_;
+    outputs_ = out.outputs;
+    for (int output = 0; axes_.edge && edges >> output != 0; ++output) {
+        if ((edges >> output & 1) == 0) continue;
+        axes_.edge({clocks(), output, (outputs_ >> output & 1) != 0});
     }
     if (rises != 0) set_switches();
     if (!late_.empty()) set_encoders();

@@ -22,6 +22,13 @@ struct VirtualStep {
     bool back = false;
 };
 
+/// An edge of an output's pin; PWM is output 8.
+struct VirtualEdge {
+    std::uint64_t clock = 0;
+    int output = 0;
+    bool on = false;
+};
+
 /// Range of places of an axis, in steps from the start.
 struct VirtualRange {
     int axis = 0;
@@ -35,6 +42,7 @@ struct VirtualAxes {
     bool limits = false;                 // home switches are limit switches too
     std::vector<VirtualRange> slips;     // ranges of counted places: steps to them move nothing
     double lag_s = 0;                    // lag of the encoders
+    std::function<void(const VirtualEdge&)> edge;  // is called for every edge of an output
 };
 
 /// Times of a virtual board, which its build needs.
@@ -46,6 +54,7 @@ struct VirtualTimes {
 class VirtualBoard {
   public:
     static constexpr int kAxes = 3;
+    static constexpr int kOutputs = 9;
 
     /// `step` is called for every rising edge of a step pin while the drives are on. A board is
     /// made when its build is first asked for.
@@ -84,7 +93,8 @@ class VirtualBoard {
     std::deque<Late> late_;
     std::deque<std::uint8_t> offered_;
     SlipDecoder answers_;
-    unsigned steps_ = 0;  // levels of the pins
+    unsigned steps_ = 0;    // levels of the pins
+    unsigned outputs_ = 0;  // levels of the outputs
 };
 
 }  // namespace curvecore::sysc

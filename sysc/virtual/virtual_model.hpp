@@ -23,6 +23,7 @@ class VirtualModel {
         bool enable = false;
         unsigned step = 0;
         unsigned direction = 0;
+        unsigned outputs = 0;  // PWM is bit 8
     };
 
     virtual ~VirtualModel() = default;

@@ -43,6 +43,8 @@ RemoteBuild build_of(const curvecore_board& board) {
     build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
     build.widths = board.widths;
     build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
+    const std::uint32_t outputs = CURVECORE_FIELD(capability, CAPABILITY_OUTPUTS_LOG2);
+    build.outputs = outputs == 0 ? 0 : 1 << outputs;
     if (CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0) {
         throw UsageError(
             "the board has the serial build, which moves nothing any more: make it again with "

@@ -22,6 +22,7 @@ struct RemoteBuild {
     int profile_queue_words = 0;
     std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_facts.h
     bool encoders = false;     // it has encoder inputs
+    int outputs = 0;           // changes of outputs that wait; 0: it has none
     CoreParameters core;
 };
 

@@ -73,7 +73,7 @@ void WordSource::add(const ref::Plan& part) {
     if (!segment_words_) {
         const std::uint16_t digest = stream_->job().digest();
         segment_words_.emplace(options.core, digest);
-        piece_words_.emplace(digest);
+        piece_words_ = profile_writer(stream_->job());
     }
     const double tick_s = options.sample_period_s * options.samples_per_tick;
     std::size_t next = 0;  // next segment to count

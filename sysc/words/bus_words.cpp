@@ -4,12 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
+#include "hls/path_outputs.hpp"
 #include "hls/quantise.hpp"
 
 namespace curvecore::sysc {
+namespace {
+
+/// Length units from a change to the next one, at most: rtl/output/path_outputs.sv counts 2^27.
+constexpr std::uint64_t kFarBehind = std::uint64_t(1) << 25;
+
+}  // namespace
 
 RunSegment JoinedSegments::next(const ref::Segment& segment) {
     RunSegment words = hls::to_words(segment, format_);
@@ -47,8 +55,52 @@ std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
     return bus;
 }
 
+void OutputWriter::write(ref::OutputKind kind, std::uint32_t value, std::uint64_t distance,
+                         std::vector<std::uint64_t>& words) {
+    for (; distance > hls::kMostOutputDistance; distance -= hls::kMostOutputDistance) {
+        words.push_back(
+            hls::pack({ref::OutputKind::kBits, bits_, hls::kMostOutputDistance}, number_++));
+    }
+    words.push_back(hls::pack({kind, value, static_cast<std::uint32_t>(distance)}, number_++));
+}
+
+void OutputWriter::write(const ref::PlannedOutput& output, std::vector<std::uint64_t>& words) {
+    const std::uint64_t place = output.place >> hls::kRateFrac;
+    const std::uint32_t value = value_of(output);
+    if (output.kind == ref::OutputKind::kBits) bits_ = value;
+    write(output.kind, value, place - place_, words);
+    place_ = place;
+}
+
+void OutputWriter::pass(std::uint64_t path, std::vector<std::uint64_t>& words) {
+    while ((path >> hls::kRateFrac) > place_ + kFarBehind) {
+        write(ref::OutputKind::kBits, bits_, kFarBehind, words);
+        place_ += kFarBehind;
+    }
+}
+
+std::uint32_t OutputWriter::value_of(const ref::PlannedOutput& output) const {
+    if (output.kind == ref::OutputKind::kLevel) {
+        return static_cast<std::uint32_t>(std::lround(output.value * hls::kMostLevel));
+    }
+    if (output.kind == ref::OutputKind::kFollow) {
+        if (output.value == ref::kAtAnyButRest) return 1;
+        return output.value == ref::kAtAnySpeed ? 0 : hls::follow_at(output.value * way_);
+    }
+    return static_cast<std::uint32_t>(output.value);
+}
+
 std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size_t index) {
     std::vector<std::uint64_t> words;
+    path_ += plan.pieces[index].ds;
+    if (index == 0) output_ = 0;
+    if (outputs_) {
+        for (; output_ < plan.outputs.size() && plan.outputs[output_].place <= path_; ++output_) {
+            outputs_->write(plan.outputs[output_], words);
+        }
+        outputs_->pass(path_, words);
+    }
+    const std::size_t first = words.size();
     const auto is_before = [](const ref::PlannedBranch& branch, std::size_t piece) {
         return branch.piece < piece;
     };
@@ -63,7 +115,7 @@ std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size
     words.resize(words.size() + hls::kProfileBusWords);
     hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(count_++),
               &words[words.size() - hls::kProfileBusWords]);
-    check_.seal(words.data(), words.size());
+    check_.seal(&words[first], words.size() - first);
     return words;
 }
 

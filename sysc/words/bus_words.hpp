@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hls/word_check.hpp"
@@ -50,19 +51,45 @@ class SegmentWriter {
     hls::WordCheck check_;
 };
 
+/// Changes of outputs as words.
+class OutputWriter {
+  public:
+    OutputWriter(double sample_s, double unit_mm) : way_(sample_s / unit_mm) {}
+
+    /// Appends the words of a change, which is not before the last one.
+    void write(const ref::PlannedOutput& output, std::vector<std::uint64_t>& words);
+    /// Appends changes of nothing, so that the last one is never far behind the path.
+    void pass(std::uint64_t path, std::vector<std::uint64_t>& words);
+
+  private:
+    void write(ref::OutputKind kind, std::uint32_t value, std::uint64_t distance,
+               std::vector<std::uint64_t>& words);
+    std::uint32_t value_of(const ref::PlannedOutput& output) const;
+
+    double way_;               // length units of a sample at 1 mm/s
+    std::uint64_t place_ = 0;  // of the last one, length units
+    std::uint32_t bits_ = 0;
+    unsigned number_ = 0;
+};
+
 /// The pieces of a program's feed profile as words.
 class ProfileWriter {
   public:
     explicit ProfileWriter(std::uint16_t digest = 0) : check_(digest) {}
+    ProfileWriter(std::uint16_t digest, const OutputWriter& outputs)
+        : check_(digest), outputs_(outputs) {}
 
-    /// Returns the words of the next piece, number `index` of this part of its plan: those of the
-    /// branch before it, if there is one, and five.
+    /// Returns the words of the next piece, number `index` of this part of its plan: those of
+    /// changes of outputs up to its end, of the branch before it, if there is one, and five.
     std::vector<std::uint64_t> write(const ref::Plan& plan, std::size_t index);
     std::size_t count() const { return count_; }
 
   private:
     hls::WordCheck check_;
+    std::optional<OutputWriter> outputs_;
     std::size_t count_ = 0;
+    std::uint64_t path_ = 0;  // before the next piece, quanta
+    std::size_t output_ = 0;  // next one of the part
 };
 
 }  // namespace curvecore::sysc

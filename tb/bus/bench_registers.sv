@@ -36,6 +36,7 @@ module bench_registers (
       .axes_i(32'd0),
       .room_i(32'd0),
       .samples_i(32'd0),
+      .outputs_i(32'd0),
       .path_changes_i(1'b0),
       .path_i(64'd0),
       .rate_i(17'd0),

@@ -74,6 +74,8 @@ module motion_axi_bench (
       .step_o          (step),
       .direction_o     (direction),
       .enable_o        (),
+      .output_o        (),
+      .pwm_o           (),
       .galvo_clock_o   (),
       .galvo_sync_o    (),
       .galvo_data_o    ()

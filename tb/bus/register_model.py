@@ -8,7 +8,7 @@ import random
 AXES = 3
 # Words that registers.json leaves to the build: constants that the bench does not set.
 ZERO = {"CAPABILITY", "CORE", "CLOCK", "WIDTHS", "STATE", "AXES", "ROOM", "SAMPLES", "PATH_LO",
-        "PATH_HI", "RATE", "STEPS"}
+        "PATH_HI", "RATE", "STEPS", "OUTPUTS"}
 REFUSED = {"PROFILE_HI", "SAMPLE", "REFERENCE"}  # by the motion beside them
 
 

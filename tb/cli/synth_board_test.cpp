@@ -113,6 +113,26 @@ TEST(SynthBoard, InputsThatABoardMayHaveAreThereOrTied) {
                         synth.read("out/boards/mine/board.lpf"));
 }
 
+TEST(SynthBoard, OutputsThatABoardMayHaveAreThereOrOpen) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "colorlight_i5"}).status, 0);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".output_o(), .pwm_o()",
+                        synth.read("out/boards/colorlight_i5/top.v"));
+    Json table = table_of("colorlight_i5");
+    table.merge_patch(Json::parse(
+        R"({"pins": {"outputs": ["P1", "P2"], "pwm": "P4"}, "parameters": {"Outputs": 1024}})"));
+    synth.write("mine.json", table.dump());
+    EXPECT_EQ(synth.synth({"--board", "mine.json"}).status, 0);
+    const std::string top = synth.read("out/boards/mine/top.v");
+    EXPECT_PRED_FORMAT2(IsSubstring, "output enable, output [1:0] outputs, output pwm", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, "assign outputs = switched[1:0];", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".output_o(switched), .pwm_o(pwm)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "LOCATE COMP \"outputs[1]\" SITE \"P2\";\n"
+                        "IOBUF PORT \"outputs[1]\" IO_TYPE=LVCMOS33 PULLMODE=NONE;\n",
+                        synth.read("out/boards/mine/board.lpf"));
+}
+
 TEST(SynthBoard, AParameterGivenIsInTheTop) {
     const SynthRun synth(kTools);
     EXPECT_EQ(synth.synth({"--board", "icebreaker", "--set", "Order=4"}).status, 0);
@@ -191,6 +211,12 @@ const std::vector<BadBoard> kBadBoards{
     {"HalfAnEncoder", R"({"pins": {"encoder_a": ["P1", "P2", "P4"]}})",
      "encoders have pins encoder_a and encoder_b, and the parameter Encoders"},
     {"EncodersWithoutPins", R"({"parameters": {"Encoders": 3}})", "encoders have pins encoder_a"},
+    {"OutputsWithoutPins", R"({"parameters": {"Outputs": 64}})",
+     "outputs have pins outputs, eight"},
+    {"PwmWithoutTheParameter", R"({"pins": {"pwm": "P1"}})", "and the parameter Outputs"},
+    {"NineOutputs", R"({"pins": {"outputs": ["A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9"]},
+                        "parameters": {"Outputs": 64}})",
+     "outputs, eight at most"},
     {"HomeOfOneAxis", R"({"pins": {"home": ["P1"]}})", "home has 1 pins for 3 axes"},
     {"UnknownParameter", R"({"parameters": {"Degree": 3}})", "motion_board has no parameter Deg"},
     {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",

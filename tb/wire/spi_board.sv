@@ -58,6 +58,8 @@ module spi_board #(
       .step_o,
       .direction_o,
       .enable_o     (),
+      .output_o     (),
+      .pwm_o        (),
       .galvo_clock_o(),
       .galvo_sync_o (),
       .galvo_data_o ()

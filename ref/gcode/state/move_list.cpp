@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ref/gcode/state/coordinates.hpp"
+#include "ref/outputs/output_course.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -49,7 +50,9 @@ void MoveList::append(const Move& move) {
         }
     }
     program_.moves.push_back(move);
+    program_.moves.back().from = length_;
     length_ += move.length();
+    program_.moves.back().to = length_;
 }
 
 std::vector<Move> MoveList::pieces_of(const std::vector<Cubic>& cubics, const Move& whole,
@@ -93,7 +96,9 @@ void MoveList::warn(const std::string& text, const Place& place) {
 
 void MoveList::leave_out(const std::string& code, const Place& place, double value,
                          bool along_path) {
-    events_.add(code, place.line, value, length_);
+    const bool rested = !program_.moves.empty() && program_.moves.back().dwell > 0;
+    events_.add({code, place.line, value, length_, rested});
+    if (outputs_ && switches_outputs(code)) return;
     LeftOut& all = left_out_[code];
     all.changed = all.changed || (along_path && value != all.value);
     value_changed_ = value_changed_ || all.changed;

@@ -19,7 +19,7 @@ namespace {
 
 struct BoardOptions {
     BoardServerOptions served{kWireAddress, false, {}, Build::kEngine};
-    std::string folder;  // empty: no steps.csv
+    std::string folder;  // empty: no files
 };
 
 VirtualRange range_of(const std::string& option, const std::string& text) {
@@ -39,10 +39,18 @@ VirtualRange range_of(const std::string& option, const std::string& text) {
 int board_command(BoardOptions& options) {
     std::optional<OutputFolder> folder;
     std::optional<OutputFile> steps;
+    std::optional<OutputFile> outputs;
     if (!options.folder.empty()) {
         folder.emplace(options.folder);
         steps.emplace(*folder, "steps.csv");
         steps->write("clock,axis,direction\n");
+        outputs.emplace(*folder, "outputs.csv");
+        outputs->write("clock,output,level\n");
+        options.served.axes.edge = [&outputs](const VirtualEdge& edge) {
+            const bool pwm = edge.output == VirtualBoard::kOutputs - 1;
+            outputs->write(fmt::format("{},{},{}\n", edge.clock,
+                                       pwm ? "pwm" : std::to_string(edge.output), edge.on ? 1 : 0));
+        };
     }
     std::uint64_t count = 0;
     BoardServer server(options.served, [&](const VirtualStep& step) {
@@ -66,6 +74,7 @@ int board_command(BoardOptions& options) {
     }
     if (folder) {
         steps->close();
+        outputs->close();
         folder->commit();
     }
     fmt::print("{} steps in {:.3f} s of its clock", count,
@@ -94,7 +103,8 @@ void add_board(CLI::App& app, int& status) {
               "Verilator when it is first asked for",
               build_of);
     add_text(command, "-o,--output", options.folder, "DIR",
-             "folder for steps.csv: every step of its pins, written when it ends");
+             "folder for steps.csv and outputs.csv: every step and edge of its pins, written when "
+             "it ends");
     add_values(command, "--home", served.axes.switches, "AXIS=FROM..TO,..",
                "a home switch: steps from the start in which it is closed, as x=-9000..-300",
                range_of)

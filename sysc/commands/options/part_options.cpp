@@ -165,6 +165,15 @@ void add_planning(CLI::App& command, PartOptions& part) {
         ->group(group::kRare);
     add_choice(command, "--holds", part.options.holds, ref::kHoldNames,
                "how a hold stops, by words for every place or slowly: {}");
+    add_value(command, "--full-s", part.options.rules.full, "S",
+              "S at which the level of the outputs is whole",
+              within(plain_number, kAboveZero, kGreatest, "above 0"))
+        ->default_val("1000");
+    command.add_flag("--laser", part.options.rules.laser,
+                     "outputs of a laser: no level in rapids; with M4 it follows the speed, whole "
+                     "at the feed");
+    command.add_flag("--dark-at-rest", part.options.rules.dark_at_rest,
+                     "with --laser and M3: no level in holds and dwells, either");
     add_value(command, "--path", part.options.exact_path, "NAME",
               "program: within the tolerance that G64 allows; exact", one_of<bool>(kPathNames))
         ->default_val("program");

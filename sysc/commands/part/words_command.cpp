@@ -67,7 +67,13 @@ std::string profile_head(const Job& job) {
            "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n"
            "// before some of them a stop branch:\n"
            "//   13      wait [19:0], ticks to the next one\n"
-           "//   14 ..   ticks [10:0], change of the rate's slope [42:11], last [43]\n";
+           "//   14 ..   ticks [10:0], change of the rate's slope [42:11], last [43]\n" +
+           (job.options.outputs == 0
+                ? ""
+                : "// before those a change of outputs or more, as hls/path_outputs.hpp says:\n"
+                  "//   15      way from the last one [25:0], whole units; value [37:26]; 0 bits, "
+                  "1 level,\n"
+                  "//           2 follow [39:38]; number [43:40]\n");
 }
 
 /// The files, part by part.
@@ -79,7 +85,7 @@ class WordFiles {
     void add(const Job& job, const ref::Plan& part) {
         if (!writer_) {
             writer_.emplace(job.options.core, job.digest());
-            pieces_.emplace(job.digest());
+            pieces_ = profile_writer(job);
             segments_.write(segments_head(job));
             profile_.write(profile_head(job));
         }
@@ -91,11 +97,13 @@ class WordFiles {
         }
         for (std::size_t i = 0; i < part.pieces.size(); ++i) {
             std::string text;
-            append(text, pieces_->write(part, i));
+            const std::vector<std::uint64_t> words = pieces_->write(part, i);
+            append(text, words);
             profile_.write(text);
+            profile_words_ += words.size();
         }
         branches_ += part.branches.size();
-        profile_words_ += ref::profile_words(part);
+        planned_words_ += ref::profile_words(part);
         ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
         path_ = part.segments.back().s_start + part.segments.back().length;
     }
@@ -126,6 +134,7 @@ class WordFiles {
                            {"count", pieces_->count()},
                            {"words_each", hls::kProfileBusWords},
                            {"branches", branches_},
+                           {"outputs", profile_words_ - planned_words_},
                            {"words", profile_words_}};
         json["queue_words"] = {{"segments", job.options.segment_queue_words},
                                {"profile", job.options.profile_queue_words}};
@@ -152,7 +161,10 @@ class WordFiles {
         if (branches_ > 0) {
             text += fmt::format(
                 ", and {} stop branches in {}: --holds bounds sends none, a hold takes longer then",
-                branches_, profile_words_ - plain);
+                branches_, planned_words_ - plain);
+        }
+        if (profile_words_ > planned_words_) {
+            text += fmt::format(", and {} words of outputs", profile_words_ - planned_words_);
         }
         return text + fmt::format(
                           "\ntraffic   {} words, {:.0f} bits/mm of {:.6g} mm\n"
@@ -188,6 +200,7 @@ class WordFiles {
     std::optional<ProfileWriter> pieces_;
     std::size_t branches_ = 0;
     std::size_t profile_words_ = 0;
+    std::size_t planned_words_ = 0;  // of pieces and branches
     std::uint64_t ticks_ = 0;
     std::uint64_t path_ = 0;
 };

@@ -70,6 +70,7 @@ module register_file_formal (
       .axes_i(32'd0),
       .room_i(32'd0),
       .samples_i(32'd0),
+      .outputs_i(32'd0),
       .path_i(64'd0),
       .path_changes_i,
       .rate_i(17'd0),

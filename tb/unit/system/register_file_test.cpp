@@ -84,6 +84,7 @@ class RegisterFile : public testing::Test {
         dut_->axes_i = any();
         dut_->room_i = any();
         dut_->samples_i = any();
+        dut_->outputs_i = any();
         path_ = uint64_t{any()} << 32 | any();
         rate_ = any() % (1 << 17);
         show_path();
@@ -253,6 +254,7 @@ class RegisterFile : public testing::Test {
         if (word.name == "AXES") return dut_->axes_i;
         if (word.name == "ROOM") return dut_->room_i;
         if (word.name == "SAMPLES") return dut_->samples_i;
+        if (word.name == "OUTPUTS") return dut_->outputs_i;
         if (word.name == "PATH_LO") return static_cast<uint32_t>(path_);
         if (word.name == "PATH_HI") return path_high_;
         if (word.name == "RATE") return rate_kept_;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/outputs/output_course.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kSamePlace = 1e-9;  // mm
+constexpr int kOn = 1;
+constexpr int kCounterClockwise = 2;
+constexpr int kMist = 4;
+constexpr int kFlood = 8;
+constexpr int kFirstOutput = 4;
+constexpr int kOutputs = 4;
+
+/// Bits that a code sets and clears; those of M62 to M65: of P0.
+struct Switch {
+    int set;
+    int clear;
+};
+const std::map<std::string, Switch> kSwitches{
+    {"M3", {kOn, kCounterClockwise}},
+    {"M4", {kOn | kCounterClockwise, 0}},
+    {"M5", {0, kOn | kCounterClockwise}},
+    {"M7", {kMist, 0}},
+    {"M8", {kFlood, 0}},
+    {"M9", {0, kMist | kFlood}},
+    {"M62", {1 << kFirstOutput, 0}},
+    {"M63", {0, 1 << kFirstOutput}},
+    {"M64", {1 << kFirstOutput, 0}},
+    {"M65", {0, 1 << kFirstOutput}},
+};
+
+}  // namespace
+
+bool switches_outputs(const std::string& code) { return code == "S" || kSwitches.count(code) > 0; }
+
+bool OutputCourse::waits(const Events& events, double length) const {
+    return taken_ < events.list().size() && events.list()[taken_].length < length;
+}
+
+Events::Event OutputCourse::take(const Events& events) { return events.list()[taken_++]; }
+
+void OutputCourse::obey(const Events& events, const Events::Event& event) {
+    const std::string& code = events.code_of(event);
+    if (code == "S") speed_ = event.value;
+    const auto known = kSwitches.find(code);
+    if (known == kSwitches.end()) return;
+    Switch change = known->second;
+    if ((change.set | change.clear) == 1 << kFirstOutput) {
+        if (event.value >= kOutputs) return;
+        const int output = static_cast<int>(event.value);
+        change = {change.set << output, change.clear << output};
+    }
+    bits_ = (bits_ & ~change.clear) | change.set;
+}
+
+OutputCourse::State OutputCourse::state(const Move& move) const {
+    State state;
+    state.bits = rules_.laser ? bits_ & ~kCounterClockwise : bits_;
+    const bool dark = (bits_ & kOn) == 0 || (rules_.laser && move.rapid);
+    state.level = dark ? 0 : std::min(speed_ / rules_.full, 1.0);
+    const bool follows = rules_.laser && (bits_ & kCounterClockwise) != 0;
+    state.follow = rules_.laser && rules_.dark_at_rest ? kAtAnyButRest : kAtAnySpeed;
+    if (follows) state.follow = move.rapid ? given_.follow : move.feed;
+    return state;
+}
+
+void OutputCourse::note(std::vector<Change>& changes, const State& state, double share, bool rested,
+                        int line) {
+    if (state.bits != given_.bits) {
+        changes.push_back({OutputKind::kBits, double(state.bits), share, rested, line});
+    }
+    if (state.follow != given_.follow) {
+        changes.push_back({OutputKind::kFollow, state.follow, share, rested, line});
+    }
+    if (state.level != given_.level) {
+        changes.push_back({OutputKind::kLevel, state.level, share, rested, line});
+    }
+    given_ = state;
+}
+
+std::vector<OutputCourse::Change> OutputCourse::next(const Move& move, const Events& events) {
+    std::vector<Change> changes;
+    bool rested = false;
+    while (waits(events, move.from + kSamePlace)) {
+        const Events::Event event = take(events);
+        if (event.rested && !rested) note(changes, state(move), 0, false, event.line);
+        rested = rested || event.rested;
+        obey(events, event);
+    }
+    note(changes, state(move), 0, rested, move.line);
+    const double length = move.to - move.from;
+    while (waits(events, move.to - kSamePlace)) {
+        const Events::Event event = take(events);
+        obey(events, event);
+        note(changes, state(move), (event.length - move.from) / length, false, event.line);
+    }
+    return changes;
+}
+
+std::vector<OutputCourse::Change> OutputCourse::end(const Events& events) {
+    std::vector<Change> changes;
+    int line = 0;
+    while (taken_ < events.list().size()) {
+        const Events::Event event = take(events);
+        obey(events, event);
+        line = event.line;
+    }
+    State state;
+    state.bits = bits_ & ~((1 << kFirstOutput) - 1);
+    note(changes, state, 1, false, line);
+    return changes;
+}
+
+}  // namespace curvecore::ref

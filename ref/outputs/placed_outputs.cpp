@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/outputs/placed_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ref/text/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kQuanta = 65536;  // of a length unit
+constexpr double kRoom = 0.75;     // of the board's queue
+constexpr double kLate_s = 10e-3;  // of a host
+
+}  // namespace
+
+void PlacedOutputs::add(const Move& move, const Events& events) {
+    Move asked = move;
+    asked.feed /= raised_;
+    const std::vector<OutputCourse::Change> changes = course_.next(asked, events);
+    add(changes, changes.empty() ? 0 : move.length());
+    ++moves_;
+}
+
+void PlacedOutputs::end(const Events& events) { add(course_.end(events), 0); }
+
+void PlacedOutputs::add(const std::vector<OutputCourse::Change>& changes, double length) {
+    for (const OutputCourse::Change& change : changes) {
+        changes_.push_back({moves_,
+                            change.share * length,
+                            change.rested,
+                            {0, change.kind, change.value, change.line}});
+    }
+}
+
+void PlacedOutputs::place(Plan& part) {
+    const auto put = [&](std::uint64_t begin) {
+        const Change& change = changes_.front();
+        PlannedOutput output = change.output;
+        output.place = begin + std::llround(change.length / part.unit_mm * kQuanta);
+        if (change.rested) output.place += static_cast<std::uint64_t>(kQuanta);
+        if (!placed_.empty()) output.place = std::max(output.place, placed_.back().place);
+        placed_.push_back(output);
+        changes_.pop_front();
+    };
+    for (const Segment& segment : part.segments) {
+        while (!changes_.empty() && changes_.front().move <= segment.move) put(segment.s_start);
+    }
+    const Segment& last = part.segments.back();
+    path_ = last.s_start + last.length;
+    while (last.last && !changes_.empty()) put(path_);
+    while (!placed_.empty() && (placed_.front().place < path_ || last.last)) {
+        part.outputs.push_back(placed_.front());
+        part.outputs.back().place = std::min(placed_.front().place, path_);
+        placed_.pop_front();
+    }
+    if (waiting_words_ > 0) check_room(part);
+}
+
+void PlacedOutputs::check_room(const Plan& part) {
+    const double needed = 2.0 * part.stop_ticks + kLate_s / part.tick_s;
+    const auto most = static_cast<std::size_t>(kRoom * waiting_words_);
+    std::uint64_t path = path_;
+    for (const ProfilePiece& piece : part.pieces) path -= piece.ds;
+    std::size_t next = 0;
+    for (const ProfilePiece& piece : part.pieces) {
+        for (; next < part.outputs.size() && part.outputs[next].place <= path + piece.ds; ++next) {
+            const double gone =
+                piece.ds == 0 ? 0 : double(part.outputs[next].place - path) / piece.ds;
+            times_.push_back(ticks_ + gone * piece.ticks);
+            if (times_.size() <= most) continue;
+            if (times_.back() - times_.front() < needed) {
+                throw InputError(
+                    file_, part.outputs[next].line,
+                    fmt::format("{} changes of outputs within {:.3f} s: the board keeps {}, which "
+                                "have to last for two stops, {:.3f} s: a lower feed, or fewer",
+                                most, (times_.back() - times_.front()) * part.tick_s,
+                                waiting_words_, needed * part.tick_s));
+            }
+            times_.pop_front();
+        }
+        path += piece.ds;
+        ticks_ += piece.ticks;
+    }
+}
+
+}  // namespace curvecore::ref
