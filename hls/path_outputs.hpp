@@ -21,6 +21,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 
@@ -120,7 +121,7 @@ inline std::uint32_t follow_at(double units) {
     for (; scaled >= 8192 && e < 32; ++e) scaled /= 2;
     if (scaled <= 4096 || e == 32) return 0;
     const std::uint32_t least = e == 0 ? 130 : 128;  // 0 and 1 do not follow
-    const auto factor = static_cast<std::uint32_t>(4096 * 256 / scaled + 0.5);
+    const auto factor = static_cast<std::uint32_t>(std::lround(4096 * 256 / scaled));
     return e << 7 | (std::min<std::uint32_t>(std::max(factor, least), 255) - 128);
 }
 
