@@ -13,15 +13,20 @@
 namespace curvecore::tb {
 namespace {
 
-constexpr double kFastest = 100;  // mm/s
-constexpr double kSample = static_cast<double>(kSystemPeriod) / CFG_ClockHertz;
-
 /// An edge of an output, and X where it is asked for, to `off` mm.
 struct Edge {
     int output;
     bool on;
     double x;
     double off;
+};
+/// An edge of a pin: X in its clock, and a sample period later.
+struct DrawnEdge {
+    int output;
+    bool on;
+    int64_t clock;
+    double x;
+    double end;
 };
 // As tb/data/outputs.ngc says; a corner may be rounded within the tolerance of G64.
 const std::vector<Edge> kEdges{{4, true, 1, 0},    {4, false, 2, 0},  {4, true, 2.1, 0},
@@ -50,11 +55,15 @@ class MotionOutputs : public MotionSystem {
             ASSERT_EQ(host_->output_o, 0);
             ASSERT_EQ(host_->pwm_o, 0);
         }
+        const double x = static_cast<double>(host_.drive(0).count() - start_[0]) / kStepsPerMm;
+        for (auto edge = edges_.rbegin(); edge != edges_.rend(); ++edge) {
+            if (host_.now() > edge->clock + kSystemPeriod) break;
+            edge->end = x;
+        }
         for (int n = 4; n < 8; ++n) {
             const bool on = host_->output_o >> n & 1;
             if (on == bool(last_ >> n & 1) || !host_->enable_o) continue;
-            const auto steps = static_cast<double>(host_.drive(0).count() - start_[0]);
-            edges_.push_back({n, on, steps / kStepsPerMm, 0});
+            edges_.push_back({n, on, host_.now(), x, x});
         }
         last_ = host_->output_o;
     }
@@ -71,19 +80,21 @@ class MotionOutputs : public MotionSystem {
         expect_drawn(start_);
     }
 
-    /// Checks that all edges came, each in the sample in which its place is.
-    void expect_edges(double rate) {
-        const double way = rate * kFastest * kSample + 1.5 / kStepsPerMm;
+    /// Checks that all edges came, each at the begin of the sample in which its place is.
+    void expect_edges() {
+        const double rounding = 0.6 / kStepsPerMm;  // a pin steps half-way
         ASSERT_EQ(edges_.size(), kEdges.size());
         for (std::size_t n = 0; n < kEdges.size(); ++n) {
+            const auto [from, to] = std::minmax(edges_[n].x, edges_[n].end);
             EXPECT_EQ(edges_[n].output, kEdges[n].output) << n;
             EXPECT_EQ(edges_[n].on, kEdges[n].on) << n;
-            EXPECT_NEAR(edges_[n].x, kEdges[n].x, way + kEdges[n].off) << n;
+            EXPECT_GE(kEdges[n].x, from - rounding - kEdges[n].off) << n;
+            EXPECT_LE(kEdges[n].x, to + rounding + kEdges[n].off) << n;
         }
     }
     uint32_t power() { return CURVECORE_FIELD(host_.read(CURVECORE_OUTPUTS), OUTPUTS_POWER); }
 
-    std::vector<Edge> edges_;
+    std::vector<DrawnEdge> edges_;
     unsigned last_ = 0;
     std::vector<int64_t> start_{0, 0, 0};  // steps, where the program begins
 };
@@ -95,7 +106,7 @@ TEST_P(MotionOutputsAtRates, ChangeWhereTheProgramSays) {
     host_.prepare(part_);
     uint32_t most = 0;
     draw([&] { most = std::max(most, power()); });
-    expect_edges(GetParam() / 100.0);
+    expect_edges();
     // M4: the whole level at the feed, in proportion below it.
     const double rate = std::min(GetParam() / 100.0, 1.0);
     EXPECT_NEAR(most, rate * hls::kMostLevel, 0.01 * hls::kMostLevel);
@@ -127,7 +138,7 @@ TEST_F(MotionOutputs, KeepTheirPlacesThroughHolds) {
         host_.write(CURVECORE_CONTROL, kEnable);
         host_.samples(2);
     });
-    expect_edges(1);
+    expect_edges();
     EXPECT_GT(holds, 2);
 }
 
@@ -157,7 +168,7 @@ TEST_F(MotionOutputs, AreOffBehindAnEmergencyStopAndThenDrawAgain) {
     host_.prepare(part_);
     start_ = counts();
     draw([] {});
-    expect_edges(1);
+    expect_edges();
 }
 
 TEST_F(MotionOutputs, CutTheStreamWhereOneIsMissing) {
