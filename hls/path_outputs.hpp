@@ -34,7 +34,6 @@ inline namespace CURVECORE_STORAGE {
 
 using ref::OutputKind;
 
-constexpr std::uint32_t kMostOutputDistance = mask(kOutputDistanceField);
 constexpr std::uint32_t kMostLevel = mask(kOutputValueField);
 constexpr int kOutputPathFrac = 8;  // fraction bits of the path of a sample
 

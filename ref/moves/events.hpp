@@ -25,20 +25,12 @@ class Events {
         bool rested;
     };
 
-    /// An event with its code by name.
-    struct Named {
-        std::string code;
-        int line;
-        double value;
-        double length;
-        bool rested;
-    };
-
-    void add(const Named& event) {
-        auto known = std::find(codes_.begin(), codes_.end(), event.code);
-        if (known == codes_.end()) known = codes_.insert(known, event.code);
-        list_.push_back({event.line, static_cast<int>(known - codes_.begin()), event.value,
-                         event.length, event.rested});
+    /// Adds an event, whose code is named.
+    void add(const std::string& code, Event event) {
+        auto known = std::find(codes_.begin(), codes_.end(), code);
+        if (known == codes_.end()) known = codes_.insert(known, code);
+        event.code = static_cast<int>(known - codes_.begin());
+        list_.push_back(event);
     }
 
     const std::vector<Event>& list() const { return list_; }

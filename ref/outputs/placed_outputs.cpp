@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
 #include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuanta = 65536;  // of a length unit
 constexpr double kRoom = 0.75;     // of the board's queue
 constexpr double kLate_s = 10e-3;  // of a host
 
@@ -39,8 +39,8 @@ void PlacedOutputs::place(Plan& part) {
     const auto put = [&](std::uint64_t begin) {
         const Change& change = changes_.front();
         PlannedOutput output = change.output;
-        output.place = begin + std::llround(change.length / part.unit_mm * kQuanta);
-        if (change.rested) output.place += static_cast<std::uint64_t>(kQuanta);
+        output.place = begin + std::llround(change.length / part.unit_mm * kQuantaPerUnit);
+        if (change.rested) output.place += static_cast<std::uint64_t>(kQuantaPerUnit);
         if (!placed_.empty()) output.place = std::max(output.place, placed_.back().place);
         placed_.push_back(output);
         changes_.pop_front();

@@ -15,7 +15,7 @@ namespace curvecore::sysc {
 namespace {
 
 /// Length units from a change to the next one, at most: rtl/output/path_outputs.sv counts 2^27.
-constexpr std::uint64_t kFarBehind = std::uint64_t(1) << 25;
+constexpr std::uint32_t kFarBehind = 1 << 25;
 
 }  // namespace
 
@@ -55,20 +55,17 @@ std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
     return bus;
 }
 
-void OutputWriter::write(ref::OutputKind kind, std::uint32_t value, std::uint64_t distance,
+void OutputWriter::write(ref::OutputKind kind, std::uint32_t value, std::uint32_t distance,
                          std::vector<std::uint64_t>& words) {
-    for (; distance > hls::kMostOutputDistance; distance -= hls::kMostOutputDistance) {
-        words.push_back(
-            hls::pack({ref::OutputKind::kBits, bits_, hls::kMostOutputDistance}, number_++));
-    }
-    words.push_back(hls::pack({kind, value, static_cast<std::uint32_t>(distance)}, number_++));
+    words.push_back(hls::pack({kind, value, distance}, number_++));
 }
 
 void OutputWriter::write(const ref::PlannedOutput& output, std::vector<std::uint64_t>& words) {
+    pass(output.place, words);
     const std::uint64_t place = output.place >> hls::kRateFrac;
     const std::uint32_t value = value_of(output);
     if (output.kind == ref::OutputKind::kBits) bits_ = value;
-    write(output.kind, value, place - place_, words);
+    write(output.kind, value, static_cast<std::uint32_t>(place - place_), words);
     place_ = place;
 }
 

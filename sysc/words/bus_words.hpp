@@ -62,7 +62,7 @@ class OutputWriter {
     void pass(std::uint64_t path, std::vector<std::uint64_t>& words);
 
   private:
-    void write(ref::OutputKind kind, std::uint32_t value, std::uint64_t distance,
+    void write(ref::OutputKind kind, std::uint32_t value, std::uint32_t distance,
                std::vector<std::uint64_t>& words);
     std::uint32_t value_of(const ref::PlannedOutput& output) const;
 

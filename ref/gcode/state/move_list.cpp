@@ -97,7 +97,7 @@ void MoveList::warn(const std::string& text, const Place& place) {
 void MoveList::leave_out(const std::string& code, const Place& place, double value,
                          bool along_path) {
     const bool rested = !program_.moves.empty() && program_.moves.back().dwell > 0;
-    events_.add({code, place.line, value, length_, rested});
+    events_.add(code, {place.line, 0, value, length_, rested});
     if (outputs_ && switches_outputs(code)) return;
     LeftOut& all = left_out_[code];
     all.changed = all.changed || (along_path && value != all.value);
