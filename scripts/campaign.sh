@@ -114,7 +114,8 @@ models() {
 
 equality() {
   # Every configuration of every core but those of DSP primitives, whose models are slow. The more
-  # clocks a sample takes, the fewer samples.
+  # clocks a sample takes, the fewer samples. What a run before this one has done on this tree is
+  # not done again.
   configure
   mapfile -t benches < <(targets "(spherical|spline|curve)_interpolator_[a-z0-9_]+" |
     grep -vE "_ecp5|_up5k")
@@ -130,27 +131,31 @@ equality() {
   }
   shares=0
   for bench in "${benches[@]}"; do shares=$((shares + $(share "$bench"))); done
-  rm -rf $out/equality
-  mkdir $out/equality
+  export logs=$out/equality-$tree-$samples
+  [[ $tree != *-changed ]] || rm -rf "$logs"
+  mkdir -p "$logs"
   for bench in "${benches[@]}"; do
     echo "$bench" $(((samples * $(share "$bench") + shares - 1) / shares))
   done | xargs -P "$(nproc)" -L 1 sh -c \
-    'log=build/campaign/equality/$0.log
+    'log=$logs/$0.log
+     grep -qs "words differ" "$log" && exit
      CURVECORE_SAMPLES=$1 build/release/tb/$0 --gtest_filter=*.EqualsKernelOverManySamples \
-       >$log 2>&1 || {
-       echo "FAILED: $log"
+       >"$log" 2>&1 || {
+       mv "$log" "$log.failed"
+       echo "FAILED: $log.failed"
        exit 1
      }
-     grep -H "words differ" $log'
+     grep -H "words differ" "$log"'
   sum=$(
     python3 - <<'PYTHON'
 import glob
 import json
+import os
 import re
 import sys
 
 line = re.compile(r"(\d+) samples of .* (\d+) words differ")
-found = [line.search(open(log).read()) for log in glob.glob("build/campaign/equality/*.log")]
+found = [line.search(open(log).read()) for log in glob.glob(os.environ["logs"] + "/*.log")]
 samples = sum(int(m[1]) for m in found if m)
 differ = sum(int(m[2]) for m in found if m)
 equality = {"configurations": len(found), "samples": samples, "differ": differ}
