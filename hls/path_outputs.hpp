@@ -14,10 +14,11 @@
 //
 // w counts 2^-8 length unit, and w / F is rounded down twice:
 //
-//   x = floor(16 w / 2^e), at most 8191;  q = floor(x (128 + m) / 256), 4096 at F
+//   x = floor(2^12 w / 2^e), at most 8191;  q = floor(x (128 + m) / 256), 4096 at F
 //   power = q < 4096 ? floor(level q / 4096) : level
 //
-// So F = 2^e 2^16 / (128 + m) of these: more than a length unit.
+// So F = 2^e 2^8 / (128 + m) of these: more than kLeastWay and less than kGreatestWay length units
+// (ref/format/path_words.hpp).
 #pragma once
 
 #include <algorithm>
@@ -36,6 +37,7 @@ using ref::OutputKind;
 
 constexpr std::uint32_t kMostLevel = mask(kOutputValueField);
 constexpr int kOutputPathFrac = 8;  // fraction bits of the path of a sample
+constexpr int kFollowShift = 12;    // w before it is scaled
 
 struct OutputChange {
     OutputKind kind = OutputKind::kBits;
@@ -79,7 +81,7 @@ class PathOutputs {
     /// Returns what the pin is on, of 4095.
     std::uint32_t power() const {
         if (follow_ <= 1) return follow_ == 1 && way_ == 0 ? 0 : level_;
-        const std::uint64_t scaled = (std::uint64_t(way_) << 4) >> (follow_ >> 7);
+        const std::uint64_t scaled = (std::uint64_t(way_) << kFollowShift) >> (follow_ >> 7);
         const std::uint32_t x = scaled > 8191 ? 8191 : static_cast<std::uint32_t>(scaled);
         const std::uint32_t q = x * (128 + (follow_ & 127)) >> 8;
         return q < 4096 ? level_ * q >> 12 : level_;
@@ -113,12 +115,11 @@ class PathOutputs {
 };
 
 /// Returns the value of kFollow at which the level is whole at a way of `units` length units a
-/// sample, to 0.4 %, or 0, if that is out of range.
+/// sample, above ref::kLeastWay and below ref::kGreatestWay, to 0.4 %.
 inline std::uint32_t follow_at(double units) {
-    double scaled = units * (1 << kOutputPathFrac) * 16;  // x at e = 0
+    double scaled = units * (1 << (kOutputPathFrac + kFollowShift));  // x at e = 0
     std::uint32_t e = 0;
-    for (; scaled >= 8192 && e < 32; ++e) scaled /= 2;
-    if (scaled <= 4096 || e == 32) return 0;
+    for (; scaled >= 8192; ++e) scaled /= 2;
     const std::uint32_t least = e == 0 ? 130 : 128;  // 0 and 1 do not follow
     const auto factor = static_cast<std::uint32_t>(std::lround(4096 * 256 / scaled));
     return e << 7 | (std::min<std::uint32_t>(std::max(factor, least), 255) - 128);

@@ -11,8 +11,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kRoom = 0.75;     // of the board's queue
+constexpr double kRoom = 0.75;     // of the board's queue; the rest for those that count long ways
 constexpr double kLate_s = 10e-3;  // of a host
+constexpr double kPeak = 4;        // speed within a piece over its mean, at most
 
 }  // namespace
 
@@ -56,7 +57,31 @@ void PlacedOutputs::place(Plan& part) {
         part.outputs.back().place = std::min(placed_.front().place, path_);
         placed_.pop_front();
     }
-    if (waiting_words_ > 0) check_room(part);
+    if (waiting_words_ == 0) return;
+    check_ways(part);
+    check_room(part);
+}
+
+void PlacedOutputs::check_ways(const Plan& part) const {
+    const double least = kLeastWay * part.unit_mm / sample_s_;  // mm/s
+    for (const PlannedOutput& output : part.outputs) {
+        const bool follows = output.kind == OutputKind::kFollow && output.value > 0;
+        if (!follows || output.value > least) continue;
+        throw InputError(
+            file_, output.line,
+            fmt::format("the laser's power is to follow a feed of {:.4g} mm/min, and the board "
+                        "counts ways from {:.4g} mm/min on: a smaller --unit, or M3",
+                        60 * output.value, 60 * least));
+    }
+    const double greatest = kGreatestWay / kPeak * part.unit_mm / sample_s_;
+    for (const ProfilePiece& piece : part.pieces) {
+        const double speed = piece.ds / kQuantaPerUnit * part.unit_mm / (piece.ticks * part.tick_s);
+        if (piece.ticks == 0 || speed < greatest) continue;
+        throw InputError(file_, 0,
+                         fmt::format("a speed of {:.4g} mm/min, and outputs of the board "
+                                     "count ways up to {:.4g} mm/min: a greater --unit",
+                                     60 * speed, 60 * greatest));
+    }
 }
 
 void PlacedOutputs::check_room(const Plan& part) {

@@ -14,8 +14,13 @@ class PlacedOutputs {
   public:
     /// @param raised times by which an override raises the feeds of moves
     /// @param most changes that wait at the board; 0: it has no outputs
-    PlacedOutputs(const OutputRules& rules, double raised, int most, std::string file)
-        : course_(rules), raised_(raised), waiting_words_(most), file_(std::move(file)) {}
+    PlacedOutputs(const OutputRules& rules, double raised, int most, double sample_s,
+                  std::string file)
+        : course_(rules),
+          raised_(raised),
+          waiting_words_(most),
+          sample_s_(sample_s),
+          file_(std::move(file)) {}
 
     /// Adds a drawn move, with the events before its end.
     void add(const Move& move, const Events& events);
@@ -23,7 +28,8 @@ class PlacedOutputs {
     void end(const Events& events);
 
     /// Gives the next part its outputs; all moves of its segments have been added.
-    /// @throws InputError: more changes than the board's queue keeps in the time of two stops
+    /// @throws InputError: more changes than the board's queue keeps in the time of two stops, or
+    /// samples too short or too long for outputs to count their way
     void place(Plan& part);
 
   private:
@@ -36,10 +42,12 @@ class PlacedOutputs {
 
     void add(const std::vector<OutputCourse::Change>& changes, double length);
     void check_room(const Plan& part);
+    void check_ways(const Plan& part) const;
 
     OutputCourse course_;
     double raised_;
     int waiting_words_;
+    double sample_s_;
     std::string file_;
     std::size_t moves_ = 0;
     std::deque<Change> changes_;

@@ -187,7 +187,7 @@ module path_outputs #(
   (* fsm_encoding = "none" *)
   state_t state_q;
   logic begin_q, constant;
-  logic [35:0] scaled_q;
+  logic [43:0] scaled_q;
   logic [ 4:0] count_q;
   logic [12:0] factor_q, sum_q, sum;
   logic [11:0] digits_q;
@@ -203,17 +203,17 @@ module path_outputs #(
       power_o <= '0;
     end else if (begin_q) begin
       state_q  <= constant ? Whole : Scale;
-      scaled_q <= {way_q, 4'd0};
+      scaled_q <= {way_q, 12'd0};
       count_q  <= follow_q[11:7];
       if (constant) power_o <= (follow_q[0] && way_q == '0) ? 12'd0 : level_q;
     end else begin
       case (state_q)
         Scale: begin
           if (count_q != '0) begin
-            scaled_q <= {1'b0, scaled_q[35:1]};
+            scaled_q <= {1'b0, scaled_q[43:1]};
           end else begin
             state_q  <= Quotient;
-            factor_q <= (scaled_q[35:13] != '0) ? 13'h1fff : scaled_q[12:0];
+            factor_q <= (scaled_q[43:13] != '0) ? 13'h1fff : scaled_q[12:0];
             sum_q    <= '0;
             digits_q <= {5'd1, follow_q[6:0]};
             count_q  <= 5'd7;

@@ -205,7 +205,7 @@ void JobStream::begin() {
     ref::PlanOptions options = job_.options.plan_options();
     options.cuts = moves_->cuts();
     outputs_.emplace(job_.options.rules, job_.options.feed_factor(), job_.options.outputs,
-                     job_.program.file);
+                     job_.options.sample_period_s, job_.program.file);
     job_.plan.made_for(profile_writer(job_));
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},

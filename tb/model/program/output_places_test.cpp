@@ -142,6 +142,15 @@ INSTANTIATE_TEST_SUITE_P(Form, OutputPlacesOnPaths,
                          testing::Values("lines", "chords", "arcs", "fit"),
                          [](const auto& info) { return std::string(info.param); });
 
+void expect_refused(const std::function<void()>& planned, const std::string& why) {
+    try {
+        planned();
+        ADD_FAILURE() << "not refused";
+    } catch (const ref::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+}
+
 TEST(OutputPlaces, WordsSayTheirDistancesHoweverLong) {
     sysc::OutputWriter writer(100e-6, 1e-6);
     std::vector<std::uint64_t> words;
@@ -176,13 +185,43 @@ TEST(OutputPlaces, MoreThanTheBoardKeepsAreRefused) {
         return plan(text, [&](sysc::Options& options) { options.outputs = words; });
     };
     EXPECT_EQ(on(4096).outputs.size(), 1998U) << "the first one changes nothing";
-    try {
-        on(256);
-        ADD_FAILURE() << "not refused";
-    } catch (const ref::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("changes of outputs within"), std::string::npos)
-            << error.what();
+    expect_refused([&] { on(256); }, "changes of outputs within");
+}
+
+TEST(OutputPlaces, ALevelFollowsFeedsOfLessThanAUnitASample) {
+    sysc::OutputWriter writer(100e-6, 1e-3);
+    for (const double feed : {9.0, 0.5, 0.1}) {  // mm/s: 0.9, 0.05 and 0.01 units a sample
+        std::vector<std::uint64_t> words;
+        hls::PathOutputs outputs;
+        sysc::OutputWriter(writer).write({0, OutputKind::kFollow, feed, 1}, words);
+        words.push_back(hls::pack({OutputKind::kLevel, hls::kMostLevel, 0}, 1));
+        for (const std::uint64_t word : words) EXPECT_TRUE(outputs.take(word));
+        const auto way = [&](double share) {
+            return static_cast<std::uint64_t>(std::ceil(share * feed * 0.1 * 256)) << 8;
+        };
+        std::uint64_t path = 0;
+        outputs.sample(path += way(1));
+        EXPECT_GE(outputs.power(), 0.99 * hls::kMostLevel) << feed;
+        outputs.sample(path += way(0.5) - (1 << 8));
+        EXPECT_LE(outputs.power(), 0.51 * hls::kMostLevel) << feed;
     }
+}
+
+TEST(OutputPlaces, WaysThatAreNotCountedAreRefused) {
+    const auto at = [](double unit_mm, double sample_s, const std::string& feed) {
+        return plan("G64 P0.01\nM4 S1000 G1 X1 " + feed + "\n",
+                    [&](sysc::Options& options) {
+                        options.unit_mm = unit_mm;
+                        options.sample_period_s = sample_s;
+                        options.outputs = 1024;
+                        options.rules.laser = true;
+                    })
+            .outputs;
+    };
+    EXPECT_FALSE(at(1e-3, 1e-4, "F3").empty());
+    expect_refused([&] { at(1e-3, 1e-4, "F2"); }, ":2: error: the laser's power is to follow");
+    EXPECT_FALSE(at(1e-9, 1e-3, "F200").empty());
+    expect_refused([&] { at(1e-9, 1e-3, "F300"); }, "ways up to");
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
             change.value = change.kind == hls::OutputKind::kBits    ? any(256)
                            : change.kind == hls::OutputKind::kLevel ? any(4096)
                            : any(4) == 0                            ? any(2)
-                                         : hls::follow_at(1 + any(1 + 2 * scale));
+                                         : hls::follow_at((1 + any(1 + 2 * scale)) / 128.0);
             change.distance = static_cast<std::uint32_t>(least + any(1 + scale));
             if (any(4) == 0) change.distance = static_cast<std::uint32_t>(least);
             placed += change.distance;
