@@ -79,7 +79,7 @@ def equality():
 
 def campaign_parts():
     """Rows, one for each part in the order of its help; what was not run since stays as it was."""
-    head = ["part", "what held", "CPU minutes", "tree"]
+    head = ["part", "what held", "CPU minutes of the run that ended it", "tree"]
     kept = {}
     if (RESULTS / "campaign.md").exists():
         kept = {row[0]: row for row in cells("campaign")[1]}

@@ -32,8 +32,8 @@ constexpr int kBranchRate = 9 << 12;
 constexpr int kFineRate = 7 << 13;
 constexpr int kFineShift = 3;
 
-/// Outputs that follow the speed: the way of a sample at which they are whole, length units, is above
-/// and below these (hls/path_outputs.hpp). No way is longer.
+/// Outputs that follow the speed: the way of a sample at which they are whole, length units, is
+/// between these (hls/path_outputs.hpp). No way is longer.
 constexpr double kLeastWay = 1.0 / (1 << 8);
 constexpr double kGreatestWay = 1 << 24;
 

@@ -101,14 +101,19 @@ Encoders::Encoders(RemoteMachine& machine, const std::string& machine_file, cons
     }
 }
 
+std::vector<Following> Encoders::now() const {
+    std::vector<Following> all;
+    for (std::size_t n = 0; n < encoders_.size(); ++n) {
+        const auto [now, worst] = machine_.following(encoders_[n].axis);
+        all.push_back({encoders_[n], now / units_per_mm_[n], worst / units_per_mm_[n]});
+    }
+    return all;
+}
+
 std::vector<Following> Encoders::following() const {
     const WireClock::time_point end = machine_.now() + kSettles;
     for (;;) {
-        std::vector<Following> all;
-        for (std::size_t n = 0; n < encoders_.size(); ++n) {
-            const auto [now, worst] = machine_.following(encoders_[n].axis);
-            all.push_back({encoders_[n], now / units_per_mm_[n], worst / units_per_mm_[n]});
-        }
+        std::vector<Following> all = now();
         if (astray(all).empty() || machine_.now() > end) return all;
         machine_.work();
     }

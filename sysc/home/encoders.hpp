@@ -46,6 +46,8 @@ class Encoders {
     /// @throws UsageError: an encoder that the board cannot support
     Encoders(RemoteMachine& machine, const std::string& machine_file, const Drives& drives);
 
+    /// Returns the errors as they are.
+    std::vector<Following> now() const;
     /// Returns the errors of a machine that has stopped, once it stands or after a while.
     std::vector<Following> following() const;
     /// Returns the axes that stand beyond their MIN_FERROR; empty: none.

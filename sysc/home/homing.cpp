@@ -18,12 +18,12 @@ constexpr double kHysteresis = 5;  // mm
 }  // namespace
 
 Homing::Homing(RemoteMachine& machine, const Options& options, const Drives& drives,
-               int watchdog_samples, Console& console, std::function<void()> turn)
+               int watchdog_samples, WishQueue& wishes, std::function<void()> turn)
     : machine_(machine),
       options_(options),
       drives_(drives),
       watchdog_samples_(watchdog_samples),
-      console_(console),
+      wishes_(wishes),
       turn_(std::move(turn)) {}
 
 ref::Program Homing::line(int axis, double way_mm, double speed) const {
@@ -57,7 +57,7 @@ bool Homing::drive(int axis, double way_mm, double speed, Until until) {
     WordSource words(options, machine);
     machine_.begin(words.settings(), watchdog_samples_);
     if (until != Until::kEnd) machine_.wait_for_switch(axis, until == Until::kClosed);
-    WireStream stream(machine_, words, console_, 1);
+    WireStream stream(machine_, words, wishes_, 1);
     StreamEnd end = StreamEnd::kStopped;
     try {
         end = stream.run(turn_);

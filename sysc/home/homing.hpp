@@ -37,7 +37,7 @@ class Homing {
     /// Creates the homing; `options` are those of a program for this machine, which is prepared.
     /// `turn` is called repeatedly.
     Homing(RemoteMachine& machine, const Options& options, const Drives& drives,
-           int watchdog_samples, Console& console, std::function<void()> turn);
+           int watchdog_samples, WishQueue& wishes, std::function<void()> turn);
 
     /// Returns the steps of the axis at its switch.
     /// @throws HomingError, HomingStopped, BoardLost, what `turn` throws
@@ -54,7 +54,7 @@ class Homing {
     const Options& options_;
     const Drives& drives_;
     int watchdog_samples_;
-    Console& console_;
+    WishQueue& wishes_;
     std::function<void()> turn_;
 };
 

@@ -237,6 +237,8 @@ std::vector<std::int32_t> RemoteMachine::steps() {
     return counts;
 }
 
+std::uint32_t RemoteMachine::outputs() { return frames_.read(CURVECORE_OUTPUTS); }
+
 void RemoteMachine::wait_for_switch(int axis, bool closed) {
     write(CURVECORE_PROBE, static_cast<std::uint32_t>(axis) |
                                (closed ? CURVECORE_PROBE_HIGH_MASK : 0) |

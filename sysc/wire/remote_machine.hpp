@@ -87,6 +87,9 @@ class RemoteMachine {
     /// Returns the number of steps made on each axis.
     std::vector<std::int32_t> steps();
 
+    /// Returns OUTPUTS.
+    std::uint32_t outputs();
+
     /// Makes the motion hold when the axis' home switch closes, or opens, until the next begin().
     void wait_for_switch(int axis, bool closed);
     bool switch_closed(int axis);

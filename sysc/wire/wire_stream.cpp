@@ -20,9 +20,9 @@ constexpr int kStepPeriods = 4;  // from a sample that is taken to its last step
 
 }  // namespace
 
-WireStream::WireStream(RemoteMachine& machine, WordSource& words, Console& console,
+WireStream::WireStream(RemoteMachine& machine, WordSource& words, WishQueue& wishes,
                        double override_rate)
-    : machine_(machine), words_(words), console_(console), wished_rate_(override_rate) {}
+    : machine_(machine), words_(words), wishes_(wishes), wished_rate_(override_rate) {}
 
 StreamEnd WireStream::run(const std::function<void()>& turn) {
     for (;;) {
@@ -96,9 +96,9 @@ void WireStream::settle() {
     for (int n = 0; n < 2 * periods; ++n) machine_.steps();
 }
 
-/// Carries out the operator's wishes. Returns false if the operator ended the program.
+/// Carries out wishes. Returns false if one of them ended the program.
 bool WireStream::meet_wishes() {
-    while (const std::optional<Wish> wish = console_.next()) {
+    while (const std::optional<Wish> wish = wishes_.next()) {
         switch (wish->kind) {
             case Wish::Kind::kHold:
                 machine_.hold(true);

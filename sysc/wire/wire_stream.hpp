@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream of a program to a board, with an operator's requests on the way.
+// The stream of a program to a board, with a person's wishes on the way.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
-#include "sysc/wire/console.hpp"
+#include "sysc/panel/wish.hpp"
 #include "sysc/wire/remote_machine.hpp"
 #include "sysc/wire/word_source.hpp"
 
@@ -15,7 +16,7 @@ enum class StreamEnd { kDone, kStopped, kFault, kCaught };
 
 class WireStream {
   public:
-    WireStream(RemoteMachine& machine, WordSource& words, Console& console, double override_rate);
+    WireStream(RemoteMachine& machine, WordSource& words, WishQueue& wishes, double override_rate);
 
     /// Sends words and works until the program is drawn or ended. `turn` is called repeatedly.
     /// @throws BoardLost, Interrupted (by `turn`), any error of planning
@@ -36,6 +37,9 @@ class WireStream {
     const std::vector<std::uint64_t>& waits() const { return waits_; }
     /// Returns the rate of time that the link's words a second allow, at most 1.
     double link_rate() const { return link_rate_; }
+    int override_percent() const { return static_cast<int>(std::lround(100 * wished_rate_)); }
+    /// Returns true while the board waits for words.
+    bool waiting() const { return waiting_; }
 
   private:
     bool meet_wishes();
@@ -48,7 +52,7 @@ class WireStream {
 
     RemoteMachine& machine_;
     WordSource& words_;
-    Console& console_;
+    WishQueue& wishes_;
     PlannedWords planned_;
     double wished_rate_;
     double link_rate_ = 1;

@@ -68,6 +68,7 @@ void WordSource::fill() {
 }
 
 void WordSource::add(const ref::Plan& part) {
+    path_.add(part);
     const Options& options = stream_->job().options;
     PlannedWords words;
     if (!segment_words_) {

@@ -15,6 +15,7 @@
 
 #include "sysc/board/board.hpp"
 #include "sysc/job/job_stream.hpp"
+#include "sysc/panel/planned_path.hpp"
 #include "sysc/words/bus_words.hpp"
 
 namespace curvecore::sysc {
@@ -43,6 +44,8 @@ class WordSource {
     BoardSettings settings();
     /// Start of the program, mm; to be called after settings().
     const std::array<double, kBoardAxes>& start() const { return start_; }
+    /// Returns the path, as far as it is planned.
+    PlannedPath& path() { return path_; }
     /// Adds the new words to those held and updates the figures of planning.
     /// @throws the error that ended the planning, once its words are taken
     void take(PlannedWords& held);
@@ -59,6 +62,7 @@ class WordSource {
     std::mutex mutex_;
     std::condition_variable changed_;
     PlannedWords planned_;
+    PlannedPath path_;
     std::optional<SegmentWriter> segment_words_;
     std::optional<ProfileWriter> piece_words_;
     double time_s_ = 0;  // planned time of the program

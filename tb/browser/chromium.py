@@ -98,9 +98,12 @@ class Chromium:
             else:
                 return answer["result"]
 
-    def open(self, file):
+    def open(self, page):
+        """Opens a file, or an address of http."""
+        page = str(page)
+        address = page if page.startswith("http:") else pathlib.Path(page).resolve().as_uri()
         self.events = [event for event in self.events if "Network" in event.get("method", "")]
-        self.send("Page.navigate", url=pathlib.Path(file).resolve().as_uri())
+        self.send("Page.navigate", url=address)
         deadline = time.monotonic() + TIMEOUT
         while not any(event.get("method") == "Page.loadEventFired" for event in self.events):
             self.events.append(self.receive(deadline))

@@ -41,8 +41,8 @@ Drawn draw(LossyLink& link, Steps& steps) {
     WordSource words(options);
     machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);
-    Console console("", 100);
-    WireStream stream(machine, words, console, 1);
+    WishQueue wishes;
+    WireStream stream(machine, words, wishes, 1);
     EXPECT_EQ(stream.run([] {}), StreamEnd::kDone);
     EXPECT_GT(stream.planned().words, 1500U);
     machine.steps();  // until the last step is out

@@ -27,8 +27,8 @@ LinkFigures draw(Link& link, const std::string& part) {
     WordSource words(options);
     machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);  // no watchdog: the board's time is not the host's
-    Console console("", 100);
-    WireStream stream(machine, words, console, 1);
+    WishQueue wishes;
+    WireStream stream(machine, words, wishes, 1);
     EXPECT_EQ(stream.run([] {}), StreamEnd::kDone);
     EXPECT_FALSE(stream.held());
     EXPECT_EQ(stream.link_rate(), 1);

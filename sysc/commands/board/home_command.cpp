@@ -12,6 +12,7 @@
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/homing.hpp"
+#include "sysc/panel/console.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -62,13 +63,17 @@ int home_command(HomeOptions& asked) {
         take_board(build, options);
         const Drives drives = drives_of(wire, build.axes);
         const std::vector<AxisHome> homes = asked_homes(asked.axes, options.machine, build.axes);
-        Console console(wire.control, 100);
+        Console console(wire.control);
+        WishQueue wishes;
         const InterruptGuard guard;
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         Homing homing(machine, options, drives,
-                      static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)), console,
-                      [] { InterruptGuard::check(); });
+                      static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)), wishes,
+                      [&] {
+                          console.add_to(wishes, 100);
+                          InterruptGuard::check();
+                      });
         int exit = 0;
         // Any axis may stand on its limit switch until it is homed.
         std::uint32_t limits = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore stream`: a program to a board at the other end of a wire.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "ref/format/path_words.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/commands/board/commands.hpp"
+#include "sysc/commands/board/stream_panel.hpp"
 #include "sysc/commands/options/part_options.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
@@ -21,45 +21,6 @@
 
 namespace curvecore::sysc {
 namespace {
-
-constexpr auto kStatusPeriod = std::chrono::milliseconds(200);
-
-/// A status line on a terminal, removed when done.
-class StatusLine {
-  public:
-    explicit StatusLine(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) == 1) {}
-    ~StatusLine() {
-        if (on_) fmt::print(stderr, "\r\033[K");
-    }
-    StatusLine(const StatusLine&) = delete;
-    StatusLine& operator=(const StatusLine&) = delete;
-
-    void show(const WireStream& stream, const RemoteMachine& machine, double unit_mm) {
-        const WireClock::time_point now = WireClock::now();
-        if (!on_ || now < shown_ + kStatusPeriod) return;
-        const double passed = std::chrono::duration<double>(now - shown_).count();
-        const double mm = static_cast<double>(stream.path()) / ref::kQuantaPerUnit * unit_mm;
-        const double feed = shown_ == WireClock::time_point() ? 0 : (mm - mm_) / passed * 60;
-        const PlannedWords& planned = stream.planned();
-        fmt::print(stderr,
-                   "\r\033[K{:3.0f} %{}  {:.3f} mm  {:.0f} mm/min  time {:.0f} %  room for {} and "
-                   "{} words{}",
-                   100.0 * static_cast<double>(stream.path()) /
-                       static_cast<double>(std::max<std::uint64_t>(planned.path, 1)),
-                   planned.all ? "" : " of what is planned", mm, feed,
-                   100 * machine.telemetry().rate, machine.telemetry().segment_room,
-                   machine.telemetry().profile_room,
-                   machine.is(CURVECORE_STATE_HOLDING_MASK) ? "  HOLD" : "");
-        std::fflush(stderr);
-        shown_ = now;
-        mm_ = mm;
-    }
-
-  private:
-    bool on_;
-    WireClock::time_point shown_;
-    double mm_ = 0;
-};
 
 double mm_of(std::uint64_t quanta, const Options& options) {
     return static_cast<double>(quanta) / ref::kQuantaPerUnit * options.unit_mm;
@@ -113,6 +74,7 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
 struct StreamOptions {
     PartOptions part;
     WireOptions wire;
+    std::string web;  // address of the page; empty: none
 };
 
 int stream_command(StreamOptions& asked) {
@@ -124,7 +86,6 @@ int stream_command(StreamOptions& asked) {
         const RemoteBuild& build = machine.build();
         take_board(build, options);
         const Drives drives = drives_of(wire, build.axes);
-        Console console(wire.control, static_cast<int>(std::min(options.override_percent, 100.0)));
         const InterruptGuard guard;
         WordSource words(options);
         const BoardSettings settings = words.settings();
@@ -133,14 +94,17 @@ int stream_command(StreamOptions& asked) {
         check_start(machine, words.start(), drives, options.machine);
         machine.begin(settings,
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
-        WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
-        std::optional<StatusLine> status(options.quiet);
+        std::optional<StreamPanel> panel;
+        panel.emplace(StreamPanel::Parts{options, drives, machine, words, encoders}, wire.control,
+                      asked.web);
+        WireStream stream(machine, words, panel->wishes(),
+                          std::min(options.override_percent / 100, 1.0));
         const WireClock::time_point begin = WireClock::now();
         std::string end = "drawn";
         int exit = 0;
         try {
             const StreamEnd seen = stream.run([&] {
-                status->show(stream, machine, options.unit_mm);
+                panel->turn(stream);
                 InterruptGuard::check();
             });
             if (seen == StreamEnd::kFault) {
@@ -155,7 +119,8 @@ int stream_command(StreamOptions& asked) {
             end = "stopped";
             exit = 130;
         }
-        status.reset();
+        panel->end(stream, end);
+        panel.reset();
         const double seconds = std::chrono::duration<double>(WireClock::now() - begin).count();
         const std::vector<std::int32_t> steps = machine.steps();
         const std::vector<Following> following = encoders.following();
@@ -243,6 +208,9 @@ void add_stream(CLI::App& app, int& status) {
     add_planning(command, asked.part);
     add_override(command, asked.part);
     add_wire(command, asked.wire);
+    add_text(command, "--web", asked.web, "[ADDRESS:]PORT",
+             "serves a page that shows the machine, and asks it to hold, resume and stop: of this "
+             "computer alone, unless an address is given; port 0: any free one");
 }
 
 }  // namespace curvecore::sysc

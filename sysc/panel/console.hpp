@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests of an operator while a program is under way: keys of a terminal, lines of a file.
+// Keys of a terminal and lines of a file that ask for something while a program is under way.
 #pragma once
 
 #include <fstream>
 #include <memory>
-#include <optional>
 #include <string>
 
-namespace curvecore::sysc {
+#include "sysc/panel/wish.hpp"
 
-struct Wish {
-    enum class Kind { kHold, kResume, kOverride, kStop, kEstop };
-    Kind kind;
-    int percent = 0;  // for kOverride
-};
+namespace curvecore::sysc {
 
 class Console {
   public:
@@ -21,24 +16,24 @@ class Console {
     /// input is a terminal. Lines of the file, as they are added: hold, resume, override N, stop,
     /// estop.
     /// @throws UsageError: no such file
-    Console(const std::string& control_file, int override_percent);
+    explicit Console(const std::string& control_file);
     ~Console();
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// Returns the next valid wish; messages about others go to stderr.
-    std::optional<Wish> next();
+    /// Adds what was asked for since the last time, while the override is this; messages about what
+    /// is none go to stderr.
+    void add_to(WishQueue& wishes, int override_percent);
 
   private:
     struct Terminal;
 
-    std::optional<Wish> key();
-    std::optional<Wish> line();
+    void keys(WishQueue& wishes, int percent);
+    void lines(WishQueue& wishes);
 
     std::unique_ptr<Terminal> terminal_;
     std::ifstream file_;
     std::string line_;
-    int percent_;
 };
 
 }  // namespace curvecore::sysc

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/console.hpp"
+#include "sysc/panel/console.hpp"
 
 #include <fmt/format.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <sstream>
+#include <optional>
 #include <utility>
 
 #include "sysc/cli/usage_error.hpp"
@@ -35,8 +35,7 @@ struct Console::Terminal {
     termios before{};
 };
 
-Console::Console(const std::string& control_file, int override_percent)
-    : percent_(override_percent) {
+Console::Console(const std::string& control_file) {
     if (isatty(STDIN_FILENO) != 0) terminal_ = std::make_unique<Terminal>();
     if (control_file.empty()) return;
     file_.open(control_file);
@@ -45,55 +44,42 @@ Console::Console(const std::string& control_file, int override_percent)
 
 Console::~Console() = default;
 
-std::optional<Wish> Console::next() {
-    if (terminal_) {
-        if (std::optional<Wish> wish = key()) return wish;
-    }
-    return file_.is_open() ? line() : std::nullopt;
+void Console::add_to(WishQueue& wishes, int override_percent) {
+    if (terminal_) keys(wishes, override_percent);
+    if (file_.is_open()) lines(wishes);
 }
 
-std::optional<Wish> Console::key() {
+void Console::keys(WishQueue& wishes, int percent) {
     using Kind = Wish::Kind;
     for (char c = 0; read(STDIN_FILENO, &c, 1) == 1;) {
-        if (c == 'h') return Wish{Kind::kHold};
-        if (c == 'r') return Wish{Kind::kResume};
-        if (c == 's') return Wish{Kind::kStop};
-        if (c == 'e') return Wish{Kind::kEstop};
+        if (c == 'h') wishes.push({Kind::kHold});
+        if (c == 'r') wishes.push({Kind::kResume});
+        if (c == 's') wishes.push({Kind::kStop});
+        if (c == 'e') wishes.push({Kind::kEstop});
         if (c == '+' || c == '-') {
-            percent_ = std::clamp(percent_ + (c == '+' ? kStep : -kStep), kStep, 100);
-            return Wish{Kind::kOverride, percent_};
+            percent = std::clamp(percent + (c == '+' ? kStep : -kStep), kStep, 100);
+            wishes.push({Kind::kOverride, percent});
         }
     }
-    return std::nullopt;
 }
 
-/// Returns the next line; a line counts once its end is written.
-std::optional<Wish> Console::line() {
-    using Kind = Wish::Kind;
+/// Adds wishes of whole lines: one counts once its end is written.
+void Console::lines(WishQueue& wishes) {
     file_.clear();
     for (char c = 0; file_.get(c);) {
         if (c != '\n') {
             line_ += c;
             continue;
         }
-        std::istringstream words(line_);
-        std::string word;
-        std::string more;
-        words >> word;
-        int percent = 0;
-        const bool rate = word == "override" && words >> percent && percent >= 1 && percent <= 100;
-        const bool whole = !(words >> more);
         const std::string said = std::exchange(line_, "");
-        if (rate && whole) return Wish{Kind::kOverride, percent_ = percent};
-        if (word == "hold" && whole) return Wish{Kind::kHold};
-        if (word == "resume" && whole) return Wish{Kind::kResume};
-        if (word == "stop" && whole) return Wish{Kind::kStop};
-        if (word == "estop" && whole) return Wish{Kind::kEstop};
+        if (const std::optional<Wish> wish = wish_of(said)) {
+            wishes.push(*wish);
+            continue;
+        }
         fmt::print(stderr,
                    "'{}' is none of: hold, resume, override 1..100, stop, estop; it is left out\n",
                    said);
     }
-    return std::nullopt;
 }
 
 }  // namespace curvecore::sysc

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/commands/board/stream_panel.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "hls/registers/registers.h"
+#include "ref/curve/axes.hpp"
+#include "ref/format/path_words.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr auto kPeriod = std::chrono::milliseconds(200);
+constexpr std::size_t kMostLog = 200;  // lines
+
+}  // namespace
+
+StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
+                         const std::string& web)
+    : parts_(parts),
+      console_(control_file),
+      terminal_(!parts.options.quiet),
+      begin_(parts.machine.steps()) {
+    if (web.empty()) return;
+    page_.emplace(
+        web, [&path = parts.words.path()](std::size_t from) { return path.json(from); }, wishes_);
+    const nlohmann::json hello{
+        {"program", std::filesystem::path(parts.options.file).filename().string()},
+        {"version", CURVECORE_PROGRAM_VERSION}};
+    page_->show("hello", hello.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+    fmt::print("page: {}\n", page_->address());
+    std::fflush(stdout);
+}
+
+void StreamPanel::turn(const WireStream& stream) {
+    console_.add_to(wishes_, stream.override_percent());
+    const WireClock::time_point now = WireClock::now();
+    if (now < shown_ + kPeriod || !(terminal_.on() || (page_ && page_->watched()))) return;
+    shown_ = now;
+    show(status(stream));
+}
+
+void StreamPanel::end(const WireStream& stream, const std::string& how) {
+    if (!page_) return;
+    PanelStatus last = status(stream);
+    last.state = how;
+    show(last);
+}
+
+std::string StreamPanel::where() const {
+    std::string text;
+    for (const PanelAxis& axis : last_.axes) {
+        text += fmt::format("{} {:.3f} ", axis.name, axis.place_mm);
+    }
+    return text.empty() ? text
+                        : fmt::format("{}mm, line {}, {:.3f} mm along the path", text, last_.line,
+                                      last_.path_mm);
+}
+
+std::string StreamPanel::state(const WireStream& stream) const {
+    const RemoteMachine& machine = parts_.machine;
+    if (!machine.is(CURVECORE_STATE_ENABLED_MASK)) return "off";
+    if (machine.is(CURVECORE_STATE_HOLDING_MASK)) {
+        return machine.is(CURVECORE_STATE_STANDING_MASK) ? "held" : "holds";
+    }
+    return stream.waiting() ? "waits for words" : "runs";
+}
+
+PanelStatus StreamPanel::status(const WireStream& stream) {
+    RemoteMachine& machine = parts_.machine;
+    const RemoteBuild& build = machine.build();
+    const double quantum_mm = parts_.options.unit_mm * ref::kQuantum;
+    const PlannedWords& planned = stream.planned();
+    const PathPlace place = parts_.words.path().at(stream.path());
+    const Telemetry& now = machine.telemetry();
+    PanelStatus status;
+    status.state = state(stream);
+    const std::vector<std::int32_t> steps = machine.steps();
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+        const double way = (steps[n] - begin_[n]) / parts_.drives.steps_per_mm[n];
+        status.axes.push_back({ref::kAxisLetters[n], parts_.words.start()[n] + way, std::nullopt});
+    }
+    for (const Following& axis : parts_.encoders.now()) {
+        status.axes[axis.encoder.axis].following_mm = axis.now_mm;
+    }
+    status.path_mm = static_cast<double>(stream.path()) * quantum_mm;
+    status.planned_mm = static_cast<double>(planned.path) * quantum_mm;
+    status.all_planned = planned.all;
+    status.feed_mm_min = 60 * place.feed_mm_s * now.rate;
+    status.rate_percent = 100 * now.rate;
+    status.override_percent = stream.override_percent();
+    status.left_s = (parts_.words.path().time_s() - place.time_s) * 100 / status.override_percent;
+    status.line = place.line;
+    status.queues = {
+        {"segments", build.segment_queue_words - now.segment_room, build.segment_queue_words},
+        {"profile", build.profile_queue_words - now.profile_room, build.profile_queue_words}};
+    if (build.outputs > 0) {
+        const std::uint32_t word = machine.outputs();
+        status.outputs = {CURVECORE_FIELD(word, OUTPUTS_BITS),
+                          CURVECORE_FIELD(word, OUTPUTS_POWER) / 4095.0};
+    }
+    status.faults = fault_names(stream.faults());
+    return status;
+}
+
+/// Notes what has changed.
+void StreamPanel::log(const PanelStatus& status) {
+    const auto note = [this](const std::string& text) {
+        if (log_.size() == kMostLog) log_.erase(log_.begin());
+        log_.push_back(fmt::format("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text));
+    };
+    const std::size_t before = log_.size();
+    if (status.state != last_.state) {
+        note(fmt::format("{}, {:.3f} mm, line {}", status.state, status.path_mm, status.line));
+    }
+    if (status.override_percent != last_.override_percent) {
+        note(fmt::format("override {} %", status.override_percent));
+    }
+    if (status.faults != last_.faults && !status.faults.empty()) note(status.faults);
+    if (log_.size() != before || before == kMostLog)
+        page_->show("log", nlohmann::json(log_).dump());
+}
+
+void StreamPanel::show(PanelStatus status) {
+    terminal_.show(panel_lines(status, terminal_.columns()));
+    if (page_) {
+        page_->show("status", panel_json(status));
+        log(status);
+    }
+    last_ = std::move(status);
+}
+
+}  // namespace curvecore::sysc

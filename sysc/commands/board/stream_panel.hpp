@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Panel of a streamed program, on the terminal and on a page: what a person sees and asks for.
+#pragma once
+
+#include <optional>
+
+#include "sysc/home/encoders.hpp"
+#include "sysc/job/options.hpp"
+#include "sysc/panel/console.hpp"
+#include "sysc/panel/page_server.hpp"
+#include "sysc/panel/panel_status.hpp"
+#include "sysc/panel/terminal_panel.hpp"
+#include "sysc/wire/wire_stream.hpp"
+
+namespace curvecore::sysc {
+
+class StreamPanel {
+  public:
+    struct Parts {
+        const Options& options;
+        const Drives& drives;
+        RemoteMachine& machine;
+        WordSource& words;
+        const Encoders& encoders;
+    };
+
+    /// Begins where the axes stand; `web`: PageServer's, empty: no page. Prints the page's address.
+    /// @throws UsageError
+    StreamPanel(const Parts& parts, const std::string& control_file, const std::string& web);
+
+    WishQueue& wishes() { return wishes_; }
+    /// Takes wishes and shows the state, where someone looks and it is time to.
+    void turn(const WireStream& stream);
+    /// Shows how it ended.
+    void end(const WireStream& stream, const std::string& how);
+    /// Returns where the machine was when it was last asked.
+    std::string where() const;
+
+  private:
+    PanelStatus status(const WireStream& stream);
+    std::string state(const WireStream& stream) const;
+    void show(PanelStatus status);
+    void log(const PanelStatus& status);
+
+    Parts parts_;
+    Console console_;
+    WishQueue wishes_;
+    TerminalPanel terminal_;
+    std::vector<std::int32_t> begin_;  // steps
+    WireClock::time_point shown_;
+    PanelStatus last_;
+    std::vector<std::string> log_;
+    std::optional<PageServer> page_;  // last member: its thread uses the others
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/panel/planned_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "ref/feed/pieces/piece_walk.hpp"
+#include "ref/plan/segment_curve.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr std::size_t kMostPoints = 20'000;
+/// Points on a curved segment.
+constexpr double kPointEvery = 0.5;  // mm
+constexpr double kLeastPoints = 4;
+constexpr double kMostOnCurve = 64;
+
+}  // namespace
+
+void PlannedPath::add(const ref::Plan& part) {
+    const std::lock_guard lock(mutex_);
+    tick_s_ = part.tick_s;
+    quantum_mm_ = part.unit_mm * ref::kQuantum;
+    for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm);
+    for (const ref::ProfilePiece& piece : part.pieces) {
+        pieces_.push_back({path_, time_s_, piece});
+        path_ += piece.ds;
+        time_s_ += piece.ticks * part.tick_s;
+    }
+}
+
+void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
+    stretches_.push_back({segment.s_start + segment.length, segment.line});
+    const double length = static_cast<double>(segment.length) * ref::kQuantum;
+    const bool straight = segment.kind() == ref::CurveKind::kArc && segment.arc().radius == 0;
+    const double wanted = std::ceil(length * unit_mm / kPointEvery);
+    const double parts = straight ? 1 : std::clamp(wanted, kLeastPoints, kMostOnCurve);
+    const double begin_mm = static_cast<double>(segment.s_start) * ref::kQuantum * unit_mm;
+    const auto show = [&](double part) {
+        const double s = length * part;
+        points_.push_back(
+            {ref::exact_position(segment, s) * unit_mm, begin_mm + s * unit_mm, segment.line});
+    };
+    if (points_.empty()) show(0);
+    for (double n = 1; n <= parts; ++n) {
+        if (++made_ % every_ == 0 || (segment.last && n == parts)) show(n / parts);
+    }
+    if (points_.size() > kMostPoints) thin();
+}
+
+/// Keeps every second point.
+void PlannedPath::thin() {
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < points_.size(); n += 2) points_[kept++] = points_[n];
+    points_.resize(kept);
+    every_ *= 2;
+    ++thinned_;
+}
+
+PathPlace PlannedPath::at(std::uint64_t path) {
+    const std::lock_guard lock(mutex_);
+    while (stretches_.size() > 1 && stretches_.front().end <= path) stretches_.pop_front();
+    while (pieces_.size() > 1 && pieces_[1].begin <= path) pieces_.pop_front();
+    PathPlace place;
+    if (!stretches_.empty()) place.line = stretches_.front().line;
+    if (pieces_.empty()) return place;
+    const Piece& now = pieces_.front();
+    const double gone =
+        std::min(static_cast<double>(path - now.begin), static_cast<double>(now.piece.ds));
+    const double ticks = ref::ticks_at(now.piece, gone);
+    place.time_s = now.time_s + ticks * tick_s_;
+    place.feed_mm_s = ref::piece_state(now.piece, ticks).v * quantum_mm_ / tick_s_;
+    return place;
+}
+
+double PlannedPath::time_s() const {
+    const std::lock_guard lock(mutex_);
+    return time_s_;
+}
+
+std::string PlannedPath::json(std::size_t from) const {
+    const std::lock_guard lock(mutex_);
+    std::string text = fmt::format(R"({{"thinned":{},"points":[)", thinned_);
+    const char* comma = "";
+    for (std::size_t n = from; n < points_.size(); ++n) {
+        const Point& point = points_[n];
+        fmt::format_to(std::back_inserter(text), "{}[{:.7g},{:.7g},{:.7g},{:.8g},{}]", comma,
+                       point.place[0], point.place[1], point.place[2], point.path, point.line);
+        comma = ",";
+    }
+    return text + "]}";
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The planned path as a person sees it: what is at a place of it, and points to draw it by. One
+// thread adds parts while others ask.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "ref/plan/segment.hpp"
+
+namespace curvecore::sysc {
+
+struct PathPlace {
+    int line = 0;          // of the program
+    double time_s = 0;     // at the rate 1, from the program's start
+    double feed_mm_s = 0;  // at the rate 1
+};
+
+class PlannedPath {
+  public:
+    void add(const ref::Plan& part);
+
+    /// Returns what is at a place, in quanta; places asked for never decrease.
+    PathPlace at(std::uint64_t path);
+    /// Planned so far.
+    double time_s() const;
+
+    /// Returns the points from a number on as JSON, in mm:
+    /// {"thinned":..,"points":[[x,y,z,s,line],..]}. Thinned out, they are numbered anew.
+    std::string json(std::size_t from) const;
+
+  private:
+    struct Point {
+        ref::Vec3 place;  // mm
+        double path;      // mm
+        int line;
+    };
+    struct Stretch {  // of a segment
+        std::uint64_t end;
+        int line;
+    };
+    struct Piece {
+        std::uint64_t begin;
+        double time_s;
+        ref::ProfilePiece piece;
+    };
+
+    void add(const ref::Segment& segment, double unit_mm);
+    void thin();
+
+    mutable std::mutex mutex_;
+    std::deque<Stretch> stretches_;  // those before the place that was asked for are gone
+    std::deque<Piece> pieces_;
+    std::uint64_t path_ = 0;
+    double time_s_ = 0;
+    double tick_s_ = 0;
+    double quantum_mm_ = 0;
+    std::vector<Point> points_;
+    std::size_t every_ = 1;  // of the points made one is kept
+    std::size_t made_ = 0;
+    int thinned_ = 0;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `stream --web` in a real browser, while a virtual board draws: what it shows is what
+the board says, its buttons are obeyed, and who has no token, or comes from elsewhere, is not.
+
+    panel_test.py --program build/curvecore [--pictures FOLDER]
+"""
+
+import argparse
+import base64
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from chromium import Chromium
+
+OPTIONS = argparse.Namespace()
+STEPS_PER_MM = 400
+FEED = 600  # mm/min
+WAY = 100  # mm of a move
+# Some minutes of the board's time: it ends when it is told to.
+PART = "G64 P0.01\n" + "".join(
+    f"G1 X{WAY * (n % 2 == 0)} Y{n} F{FEED}\n" for n in range(20)) + "M2\n"
+WIDER = """((wide) => [...document.querySelectorAll("body *")]
+    .filter((e) => e.getBoundingClientRect().right > wide + 0.5).map((e) => e.tagName + e.id))"""
+SOCKETS = """new Promise((done) => {
+    let open = 0, left = %d;
+    const end = () => { if (--left === 0) setTimeout(() => done(open), 200); };
+    for (let n = left; n > 0; --n) {
+        const one = new WebSocket("ws://" + %s + "/live");
+        one.onopen = () => { ++open; end(); };
+        one.onerror = end;
+    }
+})"""
+
+
+class Panel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Chromium()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.elsewhere = self.folder / "elsewhere.html"
+        self.elsewhere.write_text("<title>elsewhere</title>", encoding="ascii")
+        part = self.folder / "part.ngc"
+        part.write_text(PART, encoding="ascii")
+        self.board = self.start("board", "--fast", "--build", "parallel", "--listen",
+                                "127.0.0.1:0", "-o", self.folder / "board")
+        port = re.search(r":(\d+):", self.board.stdout.readline())[1]
+        self.host = self.start("stream", part, "--to", f"udp:127.0.0.1:{port}", "--web", "0", "-q")
+        self.page = self.host.stdout.readline().split()[1]
+        self.browser.send("Emulation.setDeviceMetricsOverride", width=1280, height=900,
+                          deviceScaleFactor=1, mobile=False)
+        self.visit(self.page)
+
+    def visit(self, page):
+        self.browser.open(self.elsewhere)  # a new # alone loads nothing
+        self.browser.open(page)
+
+    def start(self, *arguments):
+        process = subprocess.Popen([OPTIONS.program, *map(str, arguments)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+        def end():
+            process.kill()
+            process.wait()
+            process.stdout.close()
+
+        self.addCleanup(end)
+        return process
+
+    def tearDown(self):
+        self.assertEqual(self.browser.errors(), [])
+
+    def until(self, expression):
+        """Waits for a condition of the page; ctest ends what never is."""
+        return self.browser.get(f"""new Promise((done) => {{
+            const look = () => {{
+                const value = {expression};
+                if (value) done(value); else setTimeout(look, 20);
+            }};
+            look();
+        }})""")
+
+    def press(self, wish):
+        x, y = self.browser.middle(f"[data-wish={wish}]")
+        for kind in ("mousePressed", "mouseReleased"):
+            self.browser.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
+                              clickCount=1)
+
+    def shown(self):
+        return self.browser.get("status")
+
+    def runs(self):
+        self.until('status && status.state === "runs" && status.path_mm > 1')
+
+    def test_shows_the_machine_and_obeys_its_buttons(self):
+        self.runs()
+        seen = self.shown()
+        self.assertEqual([axis["name"] for axis in seen["axes"]], ["X", "Y", "Z"])
+        self.assertEqual(seen["override_percent"], 100)
+        self.press("hold")
+        held = self.until('status.state === "held" && status')
+        self.assertEqual(held["rate_percent"], 0)
+        # The place of the axes is that of the path, of steps that are made.
+        place, path = held["axes"][0]["place_mm"], held["path_mm"]
+        self.assertLess(held["line"], 4, held)
+        if path < WAY - 1:
+            self.assertAlmostEqual(place, path, delta=0.05)
+        self.until(f"points.length > 20 && points[points.length - 1][3] > {20 * WAY - 1}")
+        self.picture("held")
+        self.press("resume")
+        self.until(f'status.state === "runs" && status.path_mm > {path + 1}')
+        self.browser.get('byId("rate").value = 50; byId("rate").oninput()')
+        self.until('status.override_percent === 50 && Math.abs(status.rate_percent - 50) < 0.1')
+        self.assertIn("override 50 %", self.until('byId("log").textContent'))
+        self.press("stop")
+        self.assertEqual(self.host.wait(), 130)
+        self.until('byId("state").textContent === "stopped - no connection"')
+        self.assertTrue(self.browser.get('document.querySelector("[data-wish=hold]").disabled'))
+        self.board.send_signal(signal.SIGINT)
+        self.board.wait()
+        rows = (self.folder / "board" / "steps.csv").read_text(encoding="ascii").split()[1:]
+        x = sum(int(row.split(",")[2]) for row in rows if row.split(",")[1] == "0") / STEPS_PER_MM
+        shown = self.shown()["axes"][0]["place_mm"]
+        self.assertAlmostEqual(x, shown, delta=0.5 / STEPS_PER_MM)
+
+    def test_turns_the_drives_off(self):
+        self.runs()
+        self.press("estop")
+        self.assertEqual(self.host.wait(), 1)
+        self.until('status.state === "fault" && status.faults !== ""')
+
+    def test_fits_a_phone(self):
+        self.browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
+                          deviceScaleFactor=1, mobile=True)
+        self.visit(self.page)
+        self.runs()
+        self.until("points.length > 20")
+        self.assertEqual(self.browser.get("innerWidth"), 390)
+        self.assertEqual(self.browser.get(f"{WIDER}(390)"), [])
+        self.picture("phone")
+
+    def test_who_has_no_token_may_look(self):
+        address = self.page.split("#")[0]
+        for page in (address, address + "#" + "0" * 32):
+            with self.subTest(page=page):
+                self.visit(page)
+                self.runs()
+                self.assertTrue(self.browser.get('document.querySelector("#estop").disabled'))
+                # Neither through the page's own scripts.
+                self.browser.get('control = true; ask("hold"); ask("override 10"); 0')
+                path = self.shown()["path_mm"]
+                seen = self.until(f"status.path_mm > {path + 5} && status")
+                self.assertEqual((seen["state"], seen["override_percent"]), ("runs", 100))
+
+    def test_other_pages_and_names_are_refused(self):
+        host = self.page.split("/")[2]
+        self.runs()
+        self.assertEqual(self.browser.get(SOCKETS % (1, "location.host")), 1)
+        self.browser.open(self.elsewhere)
+        self.assertEqual(self.browser.get(SOCKETS % (1, repr(host))), 0)
+        for request, answer in {
+                f"GET / HTTP/1.1\r\nHost: elsewhere.example:{host.split(':')[1]}\r\n\r\n": b" 403 ",
+                f"POST / HTTP/1.1\r\nHost: {host}\r\n\r\n": b" 405 ",
+                f"GET /etc/passwd HTTP/1.1\r\nHost: {host}\r\n\r\n": b" 404 ",
+                f"GET / HTTP/1.1\r\nHost: {host}\r\n\r\n": b" 200 "}.items():
+            with self.subTest(request=request):
+                with socket.create_connection(("127.0.0.1", int(host.split(":")[1]))) as link:
+                    link.sendall(request.encode("ascii"))
+                    self.assertIn(answer, link.recv(100))
+
+    def test_a_flood_stops_nothing(self):
+        self.runs()
+        path = self.shown()["path_mm"]
+        self.assertLess(self.browser.get(SOCKETS % (100, "location.host")), 16)
+        # Two storms at once, and messages that are none.
+        self.browser.get("""for (let n = 0; n < 10000; ++n) {
+            ask("override " + (1 + n % 100));
+            say(n % 3 ? { wish: ["hold"] } : [n]);
+        } 0""")
+        self.browser.get('ask("override 70"); 0')
+        self.until(f"status.override_percent === 70 && status.path_mm > {path + 5}")
+        self.browser.get('socket.send("x".repeat(300)); 0')  # ends this connection, and no other
+        self.until('open && status.state === "runs"')
+        self.press("stop")
+        self.assertEqual(self.host.wait(), 130)
+
+    def picture(self, name):
+        if OPTIONS.pictures:
+            shot = self.browser.send("Page.captureScreenshot", captureBeyondViewport=True)["data"]
+            (OPTIONS.pictures / f"panel_{name}.png").write_bytes(base64.b64decode(shot))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--program", type=pathlib.Path, required=True)
+    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
+    OPTIONS, rest = parser.parse_known_args()
+    OPTIONS.program = OPTIONS.program.resolve()
+    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`stream` on a terminal: what it shows there, and its keys."""
+
+import fcntl
+import os
+import pathlib
+import pty
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import unittest
+
+from wire_parts import CURVECORE, Board
+
+COLUMNS = 60
+# Some minutes of the board's time: it ends when it is told to.
+PART = "G64 P0.01\n" + "".join(
+    f"G1 X{100 * (n % 2 == 0)} Y{n} F600\n" for n in range(20)) + "M2\n"
+
+
+class TerminalTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        folder = pathlib.Path(temporary.name)
+        part = folder / "part.ngc"
+        part.write_text(PART, encoding="ascii")
+        self.board = Board(str(folder / "board"), "--fast", "--build", "parallel")
+        self.addCleanup(self.board.kill)
+        self.terminal, inside = pty.openpty()
+        self.addCleanup(os.close, self.terminal)
+        fcntl.ioctl(inside, termios.TIOCSWINSZ, struct.pack("HHHH", 24, COLUMNS, 0, 0))
+        self.host = subprocess.Popen(
+            [CURVECORE, "stream", part, "--to", f"udp:127.0.0.1:{self.board.port}"], stdin=inside,
+            stdout=inside, stderr=inside)
+        self.addCleanup(self.host.kill)
+        os.close(inside)
+        self.seen = ""
+
+    def until(self, pattern):
+        """Reads until the lines that stand match; ctest ends what never is."""
+        while True:
+            self.seen += os.read(self.terminal, 4096).decode("ascii")
+            standing = self.seen.rpartition("\033[J")[2]
+            found = re.search(pattern, standing.replace("\r\n", "\n"))
+            if found:
+                return found
+
+    def key(self, key):
+        os.write(self.terminal, key.encode("ascii"))
+
+    def test_shows_the_machine_and_obeys_keys(self):
+        self.until(r"X +\d+\.\d{3}  Y +\d+\.\d{3}  Z +0\.000  mm\n"
+                   r"feed \d+ mm/min  override 100 %  time 100 %  line \d+\n"
+                   r"\d+\.\d{3} of \d+\.\d{3} mm.* left\n"
+                   r"segments \d+ of \d+  profile \d+ of \d+  words.*\n"
+                   r"runs\nh hold .*\n")
+        self.key("h")
+        held = self.until(r"(\d+\.\d{3}) of .* mm(.|\n)*\nheld\n")
+        self.key("r")
+        self.until(r"time 100 %(.|\n)*\nruns\n")
+        self.key("--")
+        self.until(r"override 80 %  time 80 % ")
+        self.key("+")
+        self.until(r"override 90 %  time 90 % ")
+        self.key("s")
+        stopped = self.until(r"stopped (\d+\.\d{3}) of ")
+        self.assertGreater(float(stopped[1]), float(held[1]))
+        self.assertEqual(self.host.wait(), 130)
+        # No line is broken, and nothing of the panel stands at the end.
+        text = re.sub(r"\033\[\d*[AJ]", "", self.seen)
+        self.assertLessEqual(max(map(len, re.split(r"[\r\n]+", text.partition("stopped")[0]))),
+                             COLUMNS)
+        self.assertNotIn("hold", self.seen.rpartition("\033[J")[2])
+
+    def test_turns_the_drives_off(self):
+        self.until(r"\nruns\n")
+        self.key("e")
+        self.until("the board stopped: ")
+        self.assertEqual(self.host.wait(), 1)
+
+
+if __name__ == "__main__":
+    del sys.argv[1]
+    unittest.main()
