@@ -15,6 +15,14 @@ namespace {
 /// Tolerance in steps: a program whose start is nearer begins where the machine stands.
 constexpr double kSameStep = 0.501;
 
+void check_axis(std::size_t axis, std::int32_t place, const std::array<double, kBoardAxes>& start,
+                const Drives& drives, const char* begins) {
+    const double scale = drives.steps_per_mm[axis];
+    if (std::abs(place - start[axis] * scale) <= kSameStep) return;
+    throw UsageError(fmt::format("{} stands at {:.6g} mm, and {} at {:.6g} mm",
+                                 ref::kAxisLetters[axis], place / scale, begins, start[axis]));
+}
+
 }  // namespace
 
 void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
@@ -30,10 +38,27 @@ void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& s
     }
     for (std::size_t axis = 0; axis < places.size(); ++axis) {
         if (!places[axis]) continue;
-        const double scale = drives.steps_per_mm[axis];
-        if (std::abs(*places[axis] - start[axis] * scale) <= kSameStep) continue;
-        throw UsageError(fmt::format("{} stands at {:.6g} mm, and the program begins at {:.6g} mm",
-                                     ref::kAxisLetters[axis], *places[axis] / scale, start[axis]));
+        check_axis(axis, *places[axis], start, drives, "the program begins");
+    }
+}
+
+void keep_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
+                const Drives& drives) {
+    std::vector<std::int32_t> now;
+    for (int axis = 0; axis < machine.build().axes; ++axis) {
+        now.push_back(
+            static_cast<std::int32_t>(std::lround(start[axis] * drives.steps_per_mm[axis])));
+    }
+    machine.keep_places(now);
+}
+
+void check_rest(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
+                const Drives& drives) {
+    const std::vector<std::int32_t> places = machine.kept_places();
+    for (std::size_t axis = 0; axis < places.size(); ++axis) {
+        check_axis(axis, places[axis], start, drives,
+                   "this program would go on, which has to be of the same options, the --from of a "
+                   "rest included,");
     }
 }
 

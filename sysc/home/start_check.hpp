@@ -16,4 +16,13 @@ namespace curvecore::sysc {
 void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
                  const Drives& drives, const std::string& machine_file);
 
+/// Keeps the start as the place of the axes, for check_rest() of a later host.
+void keep_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
+                const Drives& drives);
+
+/// Checks that the rest of a program, which begins at this place, does so where another host left
+/// all axes. @throws UsageError
+void check_rest(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
+                const Drives& drives);
+
 }  // namespace curvecore::sysc

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/job/drawn_moves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ref/geometry/segment_batches.hpp"
+#include "ref/moves/move_part.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "ref/text/input_error.hpp"
 
@@ -46,7 +49,8 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
       machine_(machine),
       plan_options_(segment_options(options)),
       form_(form_of(options, form)),
-      tolerance_(options.arc_tolerance.value_or(0)) {
+      tolerance_(options.arc_tolerance.value_or(0)),
+      from_(options.from_mm) {
     plan_options_.advise = false;
     plan_options_.cuts = std::make_shared<ref::KnownCuts>();
     if (options.exact_path) return;
@@ -74,17 +78,37 @@ bool DrawnMoves::carried(const std::deque<ref::Move>& moves) const {
 }
 
 bool DrawnMoves::next(ref::Move& move) {
+    while (give(move)) {
+        const double before = from_ - left_out_;
+        if (before > 0) {
+            const double length = move.length();
+            left_out_ += std::min(length, before);
+            if (length <= before) continue;
+            move = ref::part_of(move, before, length);
+        }
+        ref::look_at(move, off_);
+        given_ = true;
+        return true;
+    }
+    if (from_ > 0 && !given_) {
+        throw ref::InputError(
+            program_.file(), 0,
+            fmt::format("the path is {:.6f} mm long: nothing is left from {:.6f} mm on", left_out_,
+                        from_));
+    }
+    return false;
+}
+
+bool DrawnMoves::give(ref::Move& move) {
     if (ready_.empty()) {
         if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
         if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
-            ref::look_at(move, off_);
             return true;
         }
         replace(move);
     }
     move = ready_.front();
     ready_.pop_front();
-    ref::look_at(move, off_);
     return true;
 }
 

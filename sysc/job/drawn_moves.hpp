@@ -20,7 +20,8 @@ class DrawnMoves {
     DrawnMoves(const Options& options, const ref::Machine& machine,
                std::optional<ref::SplineForm> form = {});
 
-    /// Gives the next move. Returns false at the end. @throws ref::InputError
+    /// Gives the next move behind Options::from_mm. Returns false at the end.
+    /// @throws ref::InputError, also where the whole path is before that
     bool next(ref::Move& move);
 
     const ref::ProgramStream& program() const { return program_; }
@@ -38,6 +39,7 @@ class DrawnMoves {
   private:
     bool carried(const std::deque<ref::Move>& moves) const;
     void replace(const ref::Move& spline);
+    bool give(ref::Move& move);
 
     ref::ProgramStream program_;
     const ref::Machine& machine_;
@@ -48,6 +50,9 @@ class DrawnMoves {
     ref::Replaced replaced_;
     ref::Smoothed off_;
     std::deque<ref::Move> ready_;
+    const double from_;
+    double left_out_ = 0;  // mm
+    bool given_ = false;
 };
 
 /// Opens the program that these options name.

@@ -33,6 +33,7 @@ struct Options {
     ref::Effort effort = ref::Effort::kOptimum;
     ref::Holds holds = ref::Holds::kBranches;
     bool exact_path = false;              // true: G64's tolerance is not used
+    double from_mm = 0;                   // of the drawn path: what is before it is left out
     std::optional<double> arc_tolerance;  // mm, for --fit arcs
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;

@@ -9,6 +9,8 @@ using std::chrono::nanoseconds;
 /// Silence after which there is no board. A busy computer may be silent for seconds, and its board
 /// holds meanwhile.
 constexpr nanoseconds kSilence = std::chrono::seconds(10);
+/// The same for a board that obeys another host, which a virtual board lets go when it is silent.
+constexpr nanoseconds kOthers = std::chrono::seconds(60);
 /// Greatest number of frames under way: few on a slow line, or urgent ones wait behind them.
 constexpr int kLineWindow = 16;
 constexpr int kNetWindow = 64;
@@ -69,8 +71,9 @@ void FrameStream::work() {
         wait = WireClock::duration::zero();
     }
     curvecore_work(&state_, now());
-    if (curvecore_silence(&state_, now()) > kSilence.count()) {
-        throw BoardLost("the board does not answer");
+    const bool opening = state_.opening != 0 && state_.phase == CURVECORE_KNOWN;
+    if (curvecore_silence(&state_, now()) > (opening ? kOthers : kSilence).count()) {
+        throw BoardLost(opening ? "the board obeys another host" : "the board does not answer");
     }
 }
 

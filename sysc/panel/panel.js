@@ -2,7 +2,7 @@
 // The page's end of sysc/panel/page_server.hpp.
 const byId = (id) => document.getElementById(id);
 const OUTPUTS = ["spindle", "ccw", "mist", "flood", "P0", "P1", "P2", "P3"];
-const ENDS = new Set(["drawn", "stopped", "fault"]);
+const ENDS = new Set(["drawn", "stopped", "fault", "lost"]);
 let points = [], thinned = 0;  // [x, y, z, s, line], mm
 let status = null, control = false, open = false, fetching = false;
 let turn = [0, 0], zoom = 1;   // of the view: about z and about the screen's x axis

@@ -99,6 +99,21 @@ void RemoteMachine::control(std::uint32_t bits) {
     write(CURVECORE_CONTROL, bits);
 }
 
+std::uint64_t RemoteMachine::stand() {
+    control_ = read(CURVECORE_CONTROL);
+    if (!is(CURVECORE_STATE_ENABLED_MASK) || !is(CURVECORE_STATE_ACTIVE_MASK)) {
+        throw UsageError("the board has no program under way that it could go on with");
+    }
+    hold(true);
+    const WireClock::time_point settled = now() + kSettles;
+    do {
+        frames_.finish();
+        frames_.work();
+        if (now() > settled) throw UsageError("the board does not stop what it draws");
+    } while (!is(CURVECORE_STATE_STANDING_MASK));
+    return telemetry().path;
+}
+
 void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     // Another host may have left any state.
     control(0);
@@ -265,9 +280,13 @@ std::uint32_t RemoteMachine::homed() {
 
 void RemoteMachine::forget_place(int axis) { write(CURVECORE_HOMED, homed() & ~(1U << axis)); }
 
-void RemoteMachine::set_origin(int axis, std::int32_t origin) {
+void RemoteMachine::keep_origin(int axis, std::int32_t origin) {
     write(CURVECORE_ORIGIN0 + 4 * static_cast<std::uint32_t>(axis),
           static_cast<std::uint32_t>(origin));
+}
+
+void RemoteMachine::set_origin(int axis, std::int32_t origin) {
+    keep_origin(axis, origin);
     write(CURVECORE_HOMED, homed() | 1U << axis);
 }
 
@@ -286,12 +305,28 @@ std::pair<std::int32_t, std::int32_t> RemoteMachine::following(int axis) {
 
 std::vector<std::optional<std::int32_t>> RemoteMachine::places() {
     const std::uint32_t homed_axes = homed();
-    const std::vector<std::int32_t> counts = steps();
-    std::vector<std::optional<std::int32_t>> all(counts.size());
+    const std::vector<std::int32_t> kept = kept_places();
+    std::vector<std::optional<std::int32_t>> all(kept.size());
     for (std::size_t axis = 0; axis < all.size(); ++axis) {
-        if ((homed_axes >> axis & 1) == 0) continue;
+        if ((homed_axes >> axis & 1) != 0) all[axis] = kept[axis];
+    }
+    return all;
+}
+
+void RemoteMachine::keep_places(const std::vector<std::int32_t>& now) {
+    const std::uint32_t homed_axes = homed();
+    const std::vector<std::int32_t> counts = steps();
+    for (std::size_t axis = 0; axis < now.size(); ++axis) {
+        if ((homed_axes >> axis & 1) != 0) continue;
+        keep_origin(static_cast<int>(axis), counts[axis] - now[axis]);
+    }
+}
+
+std::vector<std::int32_t> RemoteMachine::kept_places() {
+    std::vector<std::int32_t> all = steps();
+    for (std::size_t axis = 0; axis < all.size(); ++axis) {
         const auto at = static_cast<std::uint32_t>(CURVECORE_ORIGIN0 + 4 * axis);
-        all[axis] = counts[axis] - static_cast<std::int32_t>(read(at));
+        all[axis] -= static_cast<std::int32_t>(read(at));
     }
     return all;
 }

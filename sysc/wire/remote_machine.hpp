@@ -54,6 +54,9 @@ class RemoteMachine {
 
     const RemoteBuild& build() const { return build_; }
 
+    /// Makes a program that another host left under way stand, and returns how far it is drawn,
+    /// quanta. @throws UsageError: none is, or its axes are not where their steps say
+    std::uint64_t stand();
     /// Turns the drives off, and sets their scales and times. Places of axes are forgotten if the
     /// scale changes.
     /// @throws UsageError: drives that the board does not support
@@ -107,6 +110,10 @@ class RemoteMachine {
     std::pair<std::int32_t, std::int32_t> following(int axis);
     /// Returns the machine coordinates of the homed axes, in steps.
     std::vector<std::optional<std::int32_t>> places();
+    /// Keeps the coordinates of the axes that are not homed, in steps, as the program counts them.
+    void keep_places(const std::vector<std::int32_t>& now);
+    /// Returns the coordinates of all axes: of those that are not homed, what was kept.
+    std::vector<std::int32_t> kept_places();
 
   private:
     void write(std::uint32_t address, std::uint32_t word);
@@ -114,6 +121,7 @@ class RemoteMachine {
     void control(std::uint32_t bits);
     void set_scale(int axis, std::uint64_t scale);
     std::uint32_t homed();
+    void keep_origin(int axis, std::int32_t origin);
     std::uint32_t why_off() const;
 
     Link& link_;

@@ -74,7 +74,8 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
 struct StreamOptions {
     PartOptions part;
     WireOptions wire;
-    std::string web;  // address of the page; empty: none
+    std::string web;    // address of the page; empty: none
+    bool rest = false;  // of the program that the board has under way
 };
 
 int stream_command(StreamOptions& asked) {
@@ -87,11 +88,17 @@ int stream_command(StreamOptions& asked) {
         take_board(build, options);
         const Drives drives = drives_of(wire, build.axes);
         const InterruptGuard guard;
+        if (asked.rest) options.from_mm += mm_of(machine.stand(), options);
         WordSource words(options);
         const BoardSettings settings = words.settings();
+        if (asked.rest) {
+            check_rest(machine, words.start(), drives);
+            if (!options.quiet) fmt::print(stderr, "rest --from {:.6f}mm\n", options.from_mm);
+        }
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         check_start(machine, words.start(), drives, options.machine);
+        keep_start(machine, words.start(), drives);
         machine.begin(settings,
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
         std::optional<StreamPanel> panel;
@@ -114,6 +121,8 @@ int stream_command(StreamOptions& asked) {
                 end = "stopped";
                 exit = 130;
             }
+        } catch (const BoardLost& lost) {
+            throw BoardLost(fmt::format("{}; {}", lost.what(), panel->lose(stream)));
         } catch (const Interrupted&) {
             stream.stop();
             end = "stopped";
@@ -211,6 +220,9 @@ void add_stream(CLI::App& app, int& status) {
     add_text(command, "--web", asked.web, "[ADDRESS:]PORT",
              "serves a page that shows the machine, and asks it to hold, resume and stop: of this "
              "computer alone, unless an address is given; port 0: any free one");
+    command.add_flag("--rest", asked.rest,
+                     "the rest of FILE, which another stream, of these options, left on the board: "
+                     "from where the axes stand; --from is that of such a stream, if it had one");
 }
 
 }  // namespace curvecore::sysc

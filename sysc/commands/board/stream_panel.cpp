@@ -52,14 +52,19 @@ void StreamPanel::end(const WireStream& stream, const std::string& how) {
     show(last);
 }
 
-std::string StreamPanel::where() const {
-    std::string text;
-    for (const PanelAxis& axis : last_.axes) {
-        text += fmt::format("{} {:.3f} ", axis.name, axis.place_mm);
+std::string StreamPanel::lose(const WireStream& stream) {
+    const double path_mm =
+        static_cast<double>(stream.path()) * parts_.options.unit_mm * ref::kQuantum;
+    const std::string text = fmt::format(
+        "it was {:.3f} mm along the path, line {}; a board that is still on holds there, and draws "
+        "the rest with stream --rest",
+        path_mm, parts_.words.path().at(stream.path()).line);
+    if (page_) {
+        last_.state = "lost";
+        last_.faults = text;
+        page_->show("status", panel_json(last_));
     }
-    return text.empty() ? text
-                        : fmt::format("{}mm, line {}, {:.3f} mm along the path", text, last_.line,
-                                      last_.path_mm);
+    return text;
 }
 
 std::string StreamPanel::state(const WireStream& stream) const {

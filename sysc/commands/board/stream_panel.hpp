@@ -33,8 +33,8 @@ class StreamPanel {
     void turn(const WireStream& stream);
     /// Shows how it ended.
     void end(const WireStream& stream, const std::string& how);
-    /// Returns where the machine was when it was last asked.
-    std::string where() const;
+    /// Shows that the board does not answer any more. Returns where it was, and what to do.
+    std::string lose(const WireStream& stream);
 
   private:
     PanelStatus status(const WireStream& stream);

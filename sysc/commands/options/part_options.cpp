@@ -174,6 +174,11 @@ void add_planning(CLI::App& command, PartOptions& part) {
                      "at the feed");
     command.add_flag("--dark-at-rest", part.options.rules.dark_at_rest,
                      "with --laser and M3: no level in holds and dwells, either");
+    add_value(
+        command, "--from", part.options.from_mm, "LENGTH",
+        "draws the rest of the path, from there on along it, with the outputs as they are there",
+        in_range(length, 0, kGreatest))
+        ->group(group::kRare);
     add_value(command, "--path", part.options.exact_path, "NAME",
               "program: within the tolerance that G64 allows; exact", one_of<bool>(kPathNames))
         ->default_val("program");

@@ -79,7 +79,7 @@ class FollowComparison {
           kernel_(format_),
           words_of_frame_(ref::segment_bus_words(core.aux_axes)) {
         machine_.ports().memory.assign(
-            static_cast<std::size_t>(kQueueBegin + kQueueFrames * kEntries * words_of_frame_), -1);
+            kQueueBegin + kQueueFrames * kEntries * static_cast<std::size_t>(words_of_frame_), -1);
         write_powers(machine_.ports().memory);
         machine_.reset(kFollowReset);
         machine_.set("empty_segments", kEmptiesBefore);

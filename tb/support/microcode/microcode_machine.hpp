@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -19,6 +20,11 @@
 
 namespace curvecore::tb {
 
+/// Index of a limb of the word at a place.
+inline std::size_t limb_of(int place, int limb) {
+    return engine::kWordLimbs * static_cast<std::size_t>(place) + static_cast<std::size_t>(limb);
+}
+
 /// Writes the table of rtl/engine/programs/powers.asm.
 inline void write_powers(std::vector<std::int16_t>& memory) {
     constexpr int kPowers = 60;
@@ -26,7 +32,7 @@ inline void write_powers(std::vector<std::int16_t>& memory) {
     for (int n = 0; n < kPowers; ++n) {
         for (int limb = 0; limb < engine::kWordLimbs; ++limb) {
             const int bit = n - engine::kLimbBits * limb;
-            memory[static_cast<std::size_t>(engine::kWordLimbs * n + limb)] =
+            memory[limb_of(n, limb)] =
                 static_cast<std::int16_t>(bit >= 0 && bit < engine::kLimbBits ? 1 << bit : 0);
         }
     }
@@ -190,8 +196,7 @@ class MicrocodeMachine {
             if (datum.name.rfind("scratch ", 0) != 0) continue;
             const std::uint64_t bits = random() % 2 == 0 ? 0 : 0x7fff;
             for (int limb = 0; limb < engine::kWordLimbs; ++limb) {
-                engine_.memory()[static_cast<std::size_t>(engine::kWordLimbs * place + limb)] =
-                    static_cast<std::int16_t>(random() & bits);
+                engine_.memory()[limb_of(place, limb)] = static_cast<std::int16_t>(random() & bits);
             }
         }
     }
@@ -222,7 +227,8 @@ class MicrocodeMachine {
         std::int16_t in(int port, int limb, std::uint64_t) { return ports.in(port, limb); }
         void out(int port, int limb, std::int16_t value, std::uint64_t) {
             ports.out(port, limb, value);
-            if (trace != nullptr) trace->add(static_cast<std::uint64_t>(4 * port + limb));
+            if (trace != nullptr)
+                trace->add(4 * static_cast<std::uint64_t>(port) + static_cast<std::uint64_t>(limb));
         }
         void read(std::int16_t limb, std::uint64_t) {
             if (trace != nullptr) trace->add(static_cast<std::uint16_t>(limb));
@@ -252,8 +258,7 @@ class MicrocodeMachine {
     std::int16_t* at(const std::string& word, int axis) {
         const auto known = places_.try_emplace({word, axis}, 0);
         if (known.second) known.first->second = assembly_.place(word, axis);
-        return &engine_
-                    .memory()[static_cast<std::size_t>(engine::kWordLimbs * known.first->second)];
+        return &engine_.memory()[limb_of(known.first->second, 0)];
     }
 
     const assembler::Assembly& assembly_;

@@ -69,7 +69,9 @@ TEST_F(MotionSystem, DrawsAProgramAtTheRateOfOverride) {
     ASSERT_GT(rates.size(), kLooks);
     int between = 0;
     for (std::size_t n = 0; n < rates.size(); ++n) {
-        if (n < kLooks) EXPECT_EQ(rates[n], kWhole / 2) << n;
+        if (n < kLooks) {
+            EXPECT_EQ(rates[n], kWhole / 2) << n;
+        }
         between += rates[n] > kWhole / 2 && rates[n] < kWhole ? 1 : 0;
     }
     EXPECT_GT(between, 0);
