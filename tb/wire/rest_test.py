@@ -12,7 +12,7 @@ import unittest
 from wire_parts import CURVECORE, STEPS_PER_MM, Board, Wire, counts, report_of
 
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y, with corners that are rounded.
-PART = "G21 G90 G64 P0.01\nM3 S500\nG1 X20 F1200\nG3 X40 Y20 I0 J20\nG1 Y40\nX30\nM2\n"
+PART = "G21 G90 G64 P0.01\nM3 S500\nG1 X20 F2400\nG3 X40 Y20 I0 J20\nG1 Y40\nX30\nM2\n"
 END = (30, 40, 0)
 LENGTH = 20 + 10 * math.pi + 20 + 10
 
@@ -37,7 +37,7 @@ class RestTest(unittest.TestCase):
     def stream(self, port, *options):
         return subprocess.Popen(
             [CURVECORE, "stream", self.part, "--to", f"udp:127.0.0.1:{port}", "-o",
-             self.folder / "stream", *options],
+             self.folder / "stream", "--watchdog", "200ms", *options],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def leave(self, board, mm, *options):

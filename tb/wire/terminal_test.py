@@ -6,6 +6,7 @@ import os
 import pathlib
 import pty
 import re
+import socket
 import struct
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import tempfile
 import termios
 import unittest
 
-from wire_parts import CURVECORE, Board
+from wire_parts import CURVECORE, ENABLED, STATE, Board, read
 
 COLUMNS = 60
 # Some minutes of the board's time: it ends when it is told to.
@@ -26,16 +27,16 @@ class TerminalTest(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         folder = pathlib.Path(temporary.name)
-        part = folder / "part.ngc"
-        part.write_text(PART, encoding="ascii")
+        self.part = folder / "part.ngc"
+        self.part.write_text(PART, encoding="ascii")
         self.board = Board(str(folder / "board"), "--fast", "--build", "parallel")
         self.addCleanup(self.board.kill)
         self.terminal, inside = pty.openpty()
         self.addCleanup(os.close, self.terminal)
         fcntl.ioctl(inside, termios.TIOCSWINSZ, struct.pack("HHHH", 24, COLUMNS, 0, 0))
         self.host = subprocess.Popen(
-            [CURVECORE, "stream", part, "--to", f"udp:127.0.0.1:{self.board.port}"], stdin=inside,
-            stdout=inside, stderr=inside)
+            [CURVECORE, "stream", self.part, "--to", f"udp:127.0.0.1:{self.board.port}"],
+            stdin=inside, stdout=inside, stderr=inside)
         self.addCleanup(self.host.kill)
         os.close(inside)
         self.seen = ""
@@ -75,6 +76,22 @@ class TerminalTest(unittest.TestCase):
         self.assertLessEqual(max(map(len, re.split(r"[\r\n]+", text.partition("stopped")[0]))),
                              COLUMNS)
         self.assertNotIn("hold", self.seen.rpartition("\033[J")[2])
+
+    def test_a_page_that_cannot_be_turns_nothing_on(self):
+        self.key("s")  # of the program that setUp began
+        self.host.wait()
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            port = taken.getsockname()[1]
+            for web, why in (("70000", "must be a port"), ("here:80", "must be a port"),
+                             ("127.0.0.1:x", "must be a port"), (str(port), "in use")):
+                with self.subTest(web=web):
+                    ended = subprocess.run(
+                        [CURVECORE, "stream", self.part, "--web", web, "--to",
+                         f"udp:127.0.0.1:{self.board.port}"],
+                        stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+                    self.assertEqual(ended.returncode, 2, ended.stderr)
+                    self.assertIn(why, ended.stderr)
+                    self.assertFalse(read(self.board.port, STATE) & ENABLED)
 
     def test_turns_the_drives_off(self):
         self.until(r"\nruns\n")

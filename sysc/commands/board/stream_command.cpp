@@ -95,15 +95,15 @@ int stream_command(StreamOptions& asked) {
             check_rest(machine, words.start(), drives);
             if (!options.quiet) fmt::print(stderr, "rest --from {:.6f}mm\n", options.from_mm);
         }
+        std::optional<StreamPanel> panel;
+        panel.emplace(StreamPanel::Parts{options, drives, machine, words}, wire.control, asked.web);
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         check_start(machine, words.start(), drives, options.machine);
         keep_start(machine, words.start(), drives);
         machine.begin(settings,
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
-        std::optional<StreamPanel> panel;
-        panel.emplace(StreamPanel::Parts{options, drives, machine, words, encoders}, wire.control,
-                      asked.web);
+        panel->begin(encoders);
         WireStream stream(machine, words, panel->wishes(),
                           std::min(options.override_percent / 100, 1.0));
         const WireClock::time_point begin = WireClock::now();

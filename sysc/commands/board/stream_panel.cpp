@@ -22,10 +22,7 @@ constexpr std::size_t kMostLog = 200;  // lines
 
 StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
                          const std::string& web)
-    : parts_(parts),
-      console_(control_file),
-      terminal_(!parts.options.quiet),
-      begin_(parts.machine.steps()) {
+    : parts_(parts), console_(control_file), terminal_(!parts.options.quiet) {
     if (web.empty()) return;
     page_.emplace(
         web, [&path = parts.words.path()](std::size_t from) { return path.json(from); }, wishes_);
@@ -35,6 +32,11 @@ StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
     page_->show("hello", hello.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     fmt::print("page: {}\n", page_->address());
     std::fflush(stdout);
+}
+
+void StreamPanel::begin(const Encoders& encoders) {
+    encoders_ = &encoders;
+    begin_ = parts_.machine.steps();
 }
 
 void StreamPanel::turn(const WireStream& stream) {
@@ -90,7 +92,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
         const double way = (steps[n] - begin_[n]) / parts_.drives.steps_per_mm[n];
         status.axes.push_back({ref::kAxisLetters[n], parts_.words.start()[n] + way, std::nullopt});
     }
-    for (const Following& axis : parts_.encoders.now()) {
+    for (const Following& axis : encoders_->now()) {
         status.axes[axis.encoder.axis].following_mm = axis.now_mm;
     }
     status.path_mm = static_cast<double>(stream.path()) * quantum_mm;

@@ -21,12 +21,14 @@ class StreamPanel {
         const Drives& drives;
         RemoteMachine& machine;
         WordSource& words;
-        const Encoders& encoders;
     };
 
-    /// Begins where the axes stand; `web`: PageServer's, empty: no page. Prints the page's address.
+    /// Opens what is needed; `web`: PageServer's, empty: no page. Prints the page's address.
     /// @throws UsageError
     StreamPanel(const Parts& parts, const std::string& control_file, const std::string& web);
+
+    /// The axes stand where the program begins.
+    void begin(const Encoders& encoders);
 
     WishQueue& wishes() { return wishes_; }
     /// Takes wishes and shows the state, where someone looks and it is time to.
@@ -46,6 +48,7 @@ class StreamPanel {
     Console console_;
     WishQueue wishes_;
     TerminalPanel terminal_;
+    const Encoders* encoders_ = nullptr;
     std::vector<std::int32_t> begin_;  // steps
     WireClock::time_point shown_;
     PanelStatus last_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person at the machine is told of a plan, and how wishes wait.
+// A plan as a person at the machine is told of it, and wishes that wait.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(PlannedPath, SaysWhatTheProfileSays) {
         EXPECT_EQ(place.line, all.segments[segment].line) << n;
         EXPECT_GT(place.time_s, time);
         EXPECT_LT(place.time_s, time + piece.ticks * all.tick_s);
-        // By the way of a millionth of the piece's time, in numbers that are not the profile's own.
+        // The feed is way by time.
         const auto step = static_cast<double>(piece.ds) * 1e-4;
         const sysc::PathPlace after = path.at(middle + static_cast<std::uint64_t>(step));
         const double mm = std::floor(step) * ref::kQuantum * unit;
