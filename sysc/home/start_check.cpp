@@ -44,10 +44,9 @@ void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& s
 
 void keep_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
                 const Drives& drives) {
-    std::vector<std::int32_t> now;
-    for (int axis = 0; axis < machine.build().axes; ++axis) {
-        now.push_back(
-            static_cast<std::int32_t>(std::lround(start[axis] * drives.steps_per_mm[axis])));
+    std::vector<std::int32_t> now(static_cast<std::size_t>(machine.build().axes));
+    for (std::size_t axis = 0; axis < now.size(); ++axis) {
+        now[axis] = static_cast<std::int32_t>(std::lround(start[axis] * drives.steps_per_mm[axis]));
     }
     machine.keep_places(now);
 }

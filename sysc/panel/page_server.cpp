@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
@@ -16,8 +17,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
-#include <set>
 #include <thread>
+#include <vector>
 
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/panel/panel_template.hpp"
@@ -75,6 +76,7 @@ struct PageServer::State {
     State(const std::string& at, std::function<std::string(std::size_t)> all, WishQueue& asked);
 
     void accept();
+    bool make_room();
     void show(const std::string& name, std::string message);
     void finish();
     Response answer(const Request& request) const;
@@ -87,8 +89,8 @@ struct PageServer::State {
     Tcp::acceptor acceptor{context};
     std::atomic<int> viewers{0};
     // Of the thread alone:
-    std::map<std::string, std::string> shown;  // messages
-    std::set<std::shared_ptr<Connection>> connections;
+    std::map<std::string, std::string> shown;              // messages
+    std::vector<std::shared_ptr<Connection>> connections;  // the oldest first
     std::promise<void> ended;
     std::thread thread;
 };
@@ -119,6 +121,17 @@ class PageServer::Connection : public std::enable_shared_from_this<Connection> {
         }
         waiting_.emplace_back(name, message);
         if (waiting_.size() == 1) write();
+    }
+
+    bool has_control() const { return control_; }
+
+    void leave() {
+        std::vector<std::shared_ptr<Connection>>& all = server_.connections;
+        const auto here = std::find(all.begin(), all.end(), shared_from_this());
+        if (here == all.end()) return;
+        all.erase(here);
+        if (viewing_) --server_.viewers;
+        beast::close_socket(beast::get_lowest_layer(socket_));
     }
 
     /// Closes it behind what waits.
@@ -192,11 +205,6 @@ class PageServer::Connection : public std::enable_shared_from_this<Connection> {
                             [self = shared_from_this()](Error) { self->leave(); });
     }
 
-    void leave() {
-        if (server_.connections.erase(shared_from_this()) > 0 && viewing_) --server_.viewers;
-        beast::close_socket(beast::get_lowest_layer(socket_));
-    }
-
     websocket::stream<beast::tcp_stream> socket_;
     State& server_;
     beast::flat_buffer buffer_{kLongestHeader};
@@ -225,13 +233,22 @@ PageServer::State::State(const std::string& at, std::function<std::string(std::s
 void PageServer::State::accept() {
     acceptor.async_accept([this](Error error, Tcp::socket socket) {
         if (!acceptor.is_open()) return;
-        if (!error && connections.size() < kMostConnections) {
-            const auto connection = std::make_shared<Connection>(std::move(socket), *this);
-            connections.insert(connection);
-            connection->begin();
+        if (!error && make_room()) {
+            connections.push_back(std::make_shared<Connection>(std::move(socket), *this));
+            connections.back()->begin();
         }
         accept();
     });
+}
+
+/// Returns true if one more connection may be; the oldest one without the token makes room for it.
+bool PageServer::State::make_room() {
+    if (connections.size() < kMostConnections) return true;
+    const auto other = std::find_if(connections.begin(), connections.end(),
+                                    [](const auto& one) { return !one->has_control(); });
+    if (other == connections.end()) return false;
+    std::shared_ptr(*other)->leave();
+    return true;
 }
 
 void PageServer::State::show(const std::string& name, std::string message) {
@@ -243,7 +260,7 @@ void PageServer::State::show(const std::string& name, std::string message) {
 
 void PageServer::State::finish() {
     acceptor.close();
-    for (const std::shared_ptr<Connection>& connection : std::set(connections)) {
+    for (const std::shared_ptr<Connection>& connection : std::vector(connections)) {
         connection->finish();
     }
 }

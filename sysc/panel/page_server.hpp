@@ -10,7 +10,8 @@
 // Whoever has the token may ask for something, others may look. The token stands behind the # of
 // the page's address, which a browser sends to nobody. Pages of others, which a browser would let
 // ask, are refused by their origin, and names made to mean this computer by the name. There
-// are 16 connections at most, a page's messages have 256 bytes; wishes wait in a WishQueue.
+// are 16 connections at most, of which the oldest one without the token makes room for a new one; a
+// page's messages have 256 bytes; wishes wait in a WishQueue.
 #pragma once
 
 #include <functional>

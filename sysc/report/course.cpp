@@ -11,6 +11,33 @@ namespace {
 
 constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // on the path, besides segments' ends
 
+void add_outputs(const DrawnPlan& plan, Course& found) {
+    if (plan.outputs.size() == 0) return;
+    found.outputs.resize(Pictures::kBins);
+    found.power.resize(Pictures::kBins);
+    const auto bin_of = [&plan](std::uint64_t place) {
+        const auto share = static_cast<double>(place) / static_cast<double>(plan.path_length());
+        return std::min(static_cast<std::size_t>(share * Pictures::kBins), Pictures::kBins - 1);
+    };
+    int bits = 0;
+    double power = 0;
+    std::uint64_t from = 0;
+    const auto fill = [&](std::uint64_t to) {
+        for (std::size_t bin = bin_of(from); from < to && bin <= bin_of(to - 1); ++bin) {
+            found.outputs[bin] |= bits;
+            found.power[bin] = std::max(found.power[bin], power);
+        }
+        from = to;
+    };
+    for (std::size_t n = 0; n < plan.outputs.size(); ++n) {
+        const ref::PlannedOutput output = plan.outputs[n];
+        fill(output.place);
+        if (output.kind == ref::OutputKind::kBits) bits = static_cast<int>(output.value);
+        if (output.kind == ref::OutputKind::kLevel) power = output.value;
+    }
+    fill(plan.path_length());
+}
+
 }  // namespace
 
 Course course(const Job& job) {
@@ -43,6 +70,7 @@ Course course(const Job& job) {
             }
         }
     }
+    add_outputs(plan, found);
     return found;
 }
 

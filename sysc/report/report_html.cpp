@@ -137,6 +137,9 @@ std::string data(const Report& report, const Pictures& pictures) {
         envelope(rest, "deviation", shape.deviation);
         envelope(rest, "tolerance", shape.tolerance);
     }
+    const auto out = std::back_inserter(rest);
+    array(rest, "outputs", shape.outputs, [&](int bits) { fmt::format_to(out, "{}", bits); });
+    array(rest, "power", shape.power, [&](double share) { fmt::format_to(out, "{:.4g}", share); });
     for (std::size_t axis = 0; axis < 3; ++axis) {
         envelope(rest, std::array<const char*, 3>{"slope_x", "slope_y", "slope_z"}[axis],
                  shape.slope[axis]);

@@ -43,6 +43,10 @@ class Pages(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.temporary.name)
+        part = cls.folder / "outputs.ngc"
+        part.write_text("G61 F3000\nG1 X10\nM3 S500\nG1 X20\nM8 S1000\nG1 X30\nM5\nG1 X40\nM2\n",
+                        encoding="ascii")
+        PAGES["outputs"] = (["run", part, *QUICK], "report.html")
         for name, (arguments, _) in PAGES.items():
             subprocess.run([OPTIONS.program, *arguments, "-o", cls.folder / name], check=True)
         cls.browser = Chromium()
@@ -86,6 +90,23 @@ class Pages(unittest.TestCase):
         self.assertTrue(shown.startswith(f"line {self.browser.get('D.line[marked]')}:"), shown)
         time = self.browser.get("D.t[marked] / D.duration_s")
         self.assertAlmostEqual(time, 0.5, delta=0.1)
+
+    def test_a_strip_shows_outputs_along_the_path(self):
+        # Off, on from 10 mm of 40 to 30, S half and whole.
+        self.open("outputs", 1280)
+        rows = self.browser.get("charts.outputs.rows.map((row) => [row.name, row.values])")
+        self.assertEqual([name for name, _ in rows], ["power", "spindle, laser", "flood"])
+        on = {name: [n / len(values) for n, v in enumerate(values) if v] for name, values in rows}
+        for name, low, high in (("power", 0.25, 0.75), ("spindle, laser", 0.25, 0.75),
+                                ("flood", 0.5, 1)):
+            with self.subTest(name=name):
+                self.assertAlmostEqual(on[name][0], low, delta=0.002)
+                self.assertAlmostEqual(on[name][-1], high, delta=0.002)
+        values = rows[0][1]
+        self.assertEqual([values[int(f * len(values))] for f in (0.1, 0.4, 0.6, 0.9)],
+                         [0, 0.5, 1, 0])
+        self.open("report", 1280)
+        self.assertIsNone(self.browser.get('byId("outputsCard")'))
 
     def test_a_flat_part_has_one_view(self):
         self.open("report", 1280)

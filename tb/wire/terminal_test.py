@@ -29,7 +29,7 @@ class TerminalTest(unittest.TestCase):
         folder = pathlib.Path(temporary.name)
         self.part = folder / "part.ngc"
         self.part.write_text(PART, encoding="ascii")
-        self.board = Board(str(folder / "board"), "--fast", "--build", "parallel")
+        self.board = Board(str(folder / "board"), "--build", "parallel")
         self.addCleanup(self.board.kill)
         self.terminal, inside = pty.openpty()
         self.addCleanup(os.close, self.terminal)

@@ -57,7 +57,7 @@ void StreamPanel::end(const WireStream& stream, const std::string& how) {
 std::string StreamPanel::lose(const WireStream& stream) {
     const double path_mm =
         static_cast<double>(stream.path()) * parts_.options.unit_mm * ref::kQuantum;
-    const std::string text = fmt::format(
+    std::string text = fmt::format(
         "it was {:.3f} mm along the path, line {}; a board that is still on holds there, and draws "
         "the rest with stream --rest",
         path_mm, parts_.words.path().at(stream.path()).line);
