@@ -95,6 +95,7 @@ class Panel(unittest.TestCase):
         }})""")
 
     def press(self, wish):
+        self.until(f"!document.querySelector('[data-wish={wish}]').disabled")
         x, y = self.browser.middle(f"[data-wish={wish}]")
         for kind in ("mousePressed", "mouseReleased"):
             self.browser.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
@@ -197,6 +198,7 @@ class Panel(unittest.TestCase):
         self.assertEqual(self.browser.get("lost"), 0)
         for link, _ in links:
             link.close()
+        self.until("control")
         # Two storms at once, and messages that are none.
         self.browser.get("""for (let n = 0; n < 10000; ++n) {
             ask("override " + (1 + n % 100));
@@ -205,6 +207,7 @@ class Panel(unittest.TestCase):
         self.browser.get('ask("override 70"); 0')
         self.until(f"status.override_percent === 70 && status.path_mm > {path + 5}")
         self.browser.get('socket.send("x".repeat(300)); 0')  # ends this connection, and no other
+        self.until("!open")
         self.until('open && status.state === "runs"')
         self.press("stop")
         self.assertEqual(self.host.wait(), 130)
