@@ -39,7 +39,9 @@ constexpr int kMostConnections = 16;
 constexpr std::size_t kLongestMessage = 256;  // bytes, from a page
 constexpr std::size_t kLongestHeader = 8192;
 constexpr auto kPatience = std::chrono::seconds(10);
-constexpr auto kFarewell = std::chrono::seconds(2);
+constexpr auto kIdle =
+    std::chrono::seconds(60);  // of a web socket, which is asked for a sign of life
+constexpr auto kFarewell = std::chrono::seconds(5);
 constexpr const char* kAddress = "127.0.0.1";
 
 std::string new_token() {
@@ -151,7 +153,7 @@ class PageServer::Connection : public std::enable_shared_from_this<Connection> {
 
     void upgrade(const Request& request) {
         socket_.next_layer().expires_never();
-        socket_.set_option(websocket::stream_base::timeout{kPatience, kPatience, true});
+        socket_.set_option(websocket::stream_base::timeout{kPatience, kIdle, true});
         socket_.read_message_max(kLongestMessage);
         socket_.async_accept(request, [self = shared_from_this()](Error error) {
             error ? self->leave() : self->view();

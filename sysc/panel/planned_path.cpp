@@ -61,10 +61,19 @@ void PlannedPath::thin() {
     ++thinned_;
 }
 
-PathPlace PlannedPath::at(std::uint64_t path) {
-    const std::lock_guard lock(mutex_);
+void PlannedPath::forget(std::uint64_t path) {
     while (stretches_.size() > 1 && stretches_.front().end <= path) stretches_.pop_front();
     while (pieces_.size() > 1 && pieces_[1].begin <= path) pieces_.pop_front();
+}
+
+void PlannedPath::pass(std::uint64_t path) {
+    const std::lock_guard lock(mutex_);
+    forget(path);
+}
+
+PathPlace PlannedPath::at(std::uint64_t path) {
+    const std::lock_guard lock(mutex_);
+    forget(path);
     PathPlace place;
     if (!stretches_.empty()) place.line = stretches_.front().line;
     if (pieces_.empty()) return place;

@@ -22,8 +22,10 @@ struct PathPlace {
 class PlannedPath {
   public:
     void add(const ref::Plan& part);
+    /// Forgets what is before a place, in quanta: it is drawn.
+    void pass(std::uint64_t path);
 
-    /// Returns what is at a place, in quanta; places asked for never decrease.
+    /// Returns what is at a place, in quanta, which is not before one that was passed.
     PathPlace at(std::uint64_t path);
     /// Planned so far.
     double time_s() const;
@@ -49,10 +51,11 @@ class PlannedPath {
     };
 
     void add(const ref::Segment& segment, double unit_mm);
+    void forget(std::uint64_t path);
     void thin();
 
     mutable std::mutex mutex_;
-    std::deque<Stretch> stretches_;  // those before the place that was asked for are gone
+    std::deque<Stretch> stretches_;  // those before the place that was passed are gone
     std::deque<Piece> pieces_;
     std::uint64_t path_ = 0;
     double time_s_ = 0;

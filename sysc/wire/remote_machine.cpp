@@ -99,30 +99,30 @@ void RemoteMachine::control(std::uint32_t bits) {
     write(CURVECORE_CONTROL, bits);
 }
 
+/// Waits until motion has stopped so far that STATE has this bit.
+void RemoteMachine::settle(std::uint32_t mask) {
+    const WireClock::time_point settled = now() + kSettles;
+    do {
+        frames_.finish();
+        frames_.work();
+        if (now() > settled) throw UsageError("the board does not stop what it draws");
+    } while (!is(mask));
+}
+
 std::uint64_t RemoteMachine::stand() {
     control_ = read(CURVECORE_CONTROL);
     if (!is(CURVECORE_STATE_ENABLED_MASK) || !is(CURVECORE_STATE_ACTIVE_MASK)) {
         throw UsageError("the board has no program under way that it could go on with");
     }
     hold(true);
-    const WireClock::time_point settled = now() + kSettles;
-    do {
-        frames_.finish();
-        frames_.work();
-        if (now() > settled) throw UsageError("the board does not stop what it draws");
-    } while (!is(CURVECORE_STATE_STANDING_MASK));
+    settle(CURVECORE_STATE_STANDING_MASK);
     return telemetry().path;
 }
 
 void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     // Another host may have left any state.
     control(0);
-    const WireClock::time_point settled = now() + kSettles;
-    do {
-        frames_.finish();
-        frames_.work();
-        if (now() > settled) throw UsageError("the board does not stop what it draws");
-    } while (!is(CURVECORE_STATE_CLEAN_MASK));
+    settle(CURVECORE_STATE_CLEAN_MASK);
     write(CURVECORE_STATE, CURVECORE_FAULTS);
 
     const auto range = std::exp2(build_.core.position_bits) * unit_mm;  // mm

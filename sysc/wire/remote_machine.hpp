@@ -55,7 +55,7 @@ class RemoteMachine {
     const RemoteBuild& build() const { return build_; }
 
     /// Makes a program that another host left under way stand, and returns how far it is drawn,
-    /// quanta. @throws UsageError: none is, or its axes are not where their steps say
+    /// quanta. @throws UsageError: none is, or the drives are off
     std::uint64_t stand();
     /// Turns the drives off, and sets their scales and times. Places of axes are forgotten if the
     /// scale changes.
@@ -119,6 +119,7 @@ class RemoteMachine {
     void write(std::uint32_t address, std::uint32_t word);
     std::uint32_t read(std::uint32_t address);
     void control(std::uint32_t bits);
+    void settle(std::uint32_t mask);
     void set_scale(int axis, std::uint64_t scale);
     std::uint32_t homed();
     void keep_origin(int axis, std::int32_t origin);

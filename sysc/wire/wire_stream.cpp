@@ -46,6 +46,7 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
 void WireStream::look() {
     machine_.work();
     path_ = std::max(path_, machine_.telemetry().path);
+    words_.path().pass(path_);
     faults_ = (faults_ & CURVECORE_FAULTS) |
               (machine_.telemetry().state & (CURVECORE_FAULTS | CURVECORE_STATE_FAULT_AXIS_MASK));
     if ((faults_ & kOff) != 0) faults_ &= ~CURVECORE_STATE_BUS_MASK;

@@ -4,6 +4,7 @@
 It speaks Chromium's DevTools protocol over the pipe of --remote-debugging-pipe: messages of JSON
 that end in a zero byte, so no driver, socket or package is needed."""
 
+import base64
 import fcntl
 import json
 import os
@@ -116,6 +117,17 @@ class Chromium:
             details = found["exceptionDetails"]
             raise BrowserError(details.get("exception", details).get("description", details))
         return found["result"].get("value")
+
+    def wider_than(self, width):
+        """Returns elements of the page that reach beyond its width, and do not scroll."""
+        return self.get(f"""[...document.querySelectorAll("body *")]
+            .filter((e) => !e.closest(".wide, .scroll") &&
+                e.getBoundingClientRect().right > {width} + 0.5)
+            .map((e) => e.tagName + "#" + e.id + "." + e.className).slice(0, 5)""")
+
+    def picture(self, file, **options):
+        shot = self.send("Page.captureScreenshot", **options)["data"]
+        pathlib.Path(file).write_bytes(base64.b64decode(shot))
 
     def errors(self):
         """Returns the errors that the page's own scripts threw."""

@@ -7,7 +7,6 @@ does in it changes numbers, files and programs.
 """
 
 import argparse
-import base64
 import json
 import pathlib
 import re
@@ -194,8 +193,7 @@ class JoinPage(unittest.TestCase):
 
     def test_a_picture(self):
         if OPTIONS.picture:
-            shot = self.browser.send("Page.captureScreenshot")["data"]
-            OPTIONS.picture.write_bytes(base64.b64decode(shot))
+            self.browser.picture(OPTIONS.picture)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ screen, no script fails, nothing comes from the network, and one cursor goes thr
 """
 
 import argparse
-import base64
 import pathlib
 import subprocess
 import sys
@@ -29,12 +28,6 @@ PAGES = {
                 "explore.html"),
     "join": (["join", DATA / "pass_1.ngc", DATA / "pass_2.ngc", *QUICK], "join.html"),
 }
-WIDER = """((wide) => {
-    const inside = (e) => e.closest(".wide, .scroll");
-    return [...document.querySelectorAll("body *")]
-        .filter((e) => !inside(e) && e.getBoundingClientRect().right > wide + 0.5)
-        .map((e) => e.tagName + "#" + e.id + "." + e.className).slice(0, 5);
-})"""
 OPTIONS = argparse.Namespace()
 
 
@@ -71,13 +64,13 @@ class Pages(unittest.TestCase):
                 with self.subTest(page=name, width=width):
                     self.open(name, width)
                     self.assertEqual(self.browser.get("innerWidth"), width)
-                    self.assertEqual(self.browser.get(f"{WIDER}({width})"), [])
+                    self.assertEqual(self.browser.wider_than(width), [])
                     self.picture(name, width)
 
     def test_the_figure_of_width_sees_what_is_wider(self):
         self.open("report", 390)
         self.browser.get('byId("title").style.minWidth = "500px"')
-        self.assertIn("H1#title.", self.browser.get(f"{WIDER}(390)"))
+        self.assertIn("H1#title.", self.browser.wider_than(390))
 
     def test_a_cursor_in_a_chart_is_a_line_of_the_program(self):
         self.open("report", 1280)
@@ -120,9 +113,7 @@ class Pages(unittest.TestCase):
             self.browser.send("Emulation.setDeviceMetricsOverride", width=width, height=height,
                               deviceScaleFactor=1, mobile=width < 600)
             self.browser.get("new Promise((done) => setTimeout(done, 300))")
-            shot = self.browser.send("Page.captureScreenshot")["data"]
-            file = OPTIONS.pictures / f"{name}_{width}.png"
-            file.write_bytes(base64.b64decode(shot))
+            self.browser.picture(OPTIONS.pictures / f"{name}_{width}.png")
 
 
 if __name__ == "__main__":

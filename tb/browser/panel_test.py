@@ -7,7 +7,6 @@ the board says, its buttons are obeyed, and who has no token, or comes from else
 """
 
 import argparse
-import base64
 import pathlib
 import re
 import signal
@@ -26,8 +25,6 @@ WAY = 100  # mm of a move
 # Some minutes of the board's time: it ends when it is told to.
 PART = "G64 P0.01\n" + "".join(
     f"G1 X{WAY * (n % 2 == 0)} Y{n} F{FEED}\n" for n in range(20)) + "M2\n"
-WIDER = """((wide) => [...document.querySelectorAll("body *")]
-    .filter((e) => e.getBoundingClientRect().right > wide + 0.5).map((e) => e.tagName + e.id))"""
 
 
 def upgrade(host, *headers):
@@ -151,7 +148,7 @@ class Panel(unittest.TestCase):
         self.runs()
         self.until("points.length > 20")
         self.assertEqual(self.browser.get("innerWidth"), 390)
-        self.assertEqual(self.browser.get(f"{WIDER}(390)"), [])
+        self.assertEqual(self.browser.wider_than(390), [])
         self.picture("phone")
 
     def test_who_has_no_token_may_look(self):
@@ -214,8 +211,7 @@ class Panel(unittest.TestCase):
 
     def picture(self, name):
         if OPTIONS.pictures:
-            shot = self.browser.send("Page.captureScreenshot", captureBeyondViewport=True)["data"]
-            (OPTIONS.pictures / f"panel_{name}.png").write_bytes(base64.b64decode(shot))
+            self.browser.picture(OPTIONS.pictures / f"panel_{name}.png", captureBeyondViewport=True)
 
 
 if __name__ == "__main__":

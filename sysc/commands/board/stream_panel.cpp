@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "hls/path_outputs.hpp"
 #include "hls/registers/registers.h"
 #include "ref/curve/axes.hpp"
 #include "ref/format/path_words.hpp"
@@ -109,7 +110,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
     if (build.outputs > 0) {
         const std::uint32_t word = machine.outputs();
         status.outputs = {CURVECORE_FIELD(word, OUTPUTS_BITS),
-                          CURVECORE_FIELD(word, OUTPUTS_POWER) / 4095.0};
+                          CURVECORE_FIELD(word, OUTPUTS_POWER) / double{hls::kMostLevel}};
     }
     status.faults = fault_names(stream.faults());
     return status;
