@@ -8,6 +8,17 @@
 
 namespace curvecore::ref {
 
+/// Largest distance of lengths that are the same place.
+constexpr double kSamePlace = 1e-9;  // mm
+/// Least distance of an event before the place from which a program is drawn, if it has passed.
+constexpr double kPassed = 1e-6;  // mm
+
+/// Codes besides motion that are obeyed.
+struct Obeyed {
+    bool outputs = false;  // those that switch outputs (ref/outputs/output_course.hpp)
+    bool waits = false;    // those that wait for a person (ref/outputs/placed_waits.hpp)
+};
+
 class Events {
   public:
     /// | field  | unit | remark                                                              |
@@ -16,13 +27,15 @@ class Events {
     /// | code   |      | index into codes()                                                  |
     /// | value  |      | number of S and T, P or Q of outputs; else 0                        |
     /// | length | mm   | of all moves before it, as Move::length()                           |
-    /// | rested |      | a dwell is between the last move and it                             |
+    /// | rest   | s    | of dwells between the last move and it                              |
+    /// | waits  |      | the program waits there for a person                                |
     struct Event {
         int line;
         int code;
         double value;
         double length;
-        bool rested;
+        double rest;
+        bool waits;
     };
 
     /// Adds an event, whose code is named.

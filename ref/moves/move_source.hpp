@@ -35,8 +35,8 @@ class MoveStream {
     /// Number of auxiliary axes, known at the end.
     virtual int aux_axes() const = 0;
     virtual const std::vector<std::string>& warnings() const = 0;
-    /// Leaves codes of outputs, which are obeyed, out of the warnings; to be called at first.
-    virtual void obey_outputs() {}
+    /// Leaves codes that are obeyed out of the warnings; to be called at first.
+    virtual void obey(const Obeyed& /*codes*/) {}
     /// Events that are read so far: those before a move are, when it is given.
     virtual const Events& events() const {
         static const Events kNone;

@@ -7,7 +7,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // mm
 constexpr int kOn = 1;
 constexpr int kCounterClockwise = 2;
 constexpr int kMist = 4;
@@ -37,8 +36,16 @@ const std::map<std::string, Switch> kSwitches{
 
 bool switches_outputs(const std::string& code) { return code == "S" || kSwitches.count(code) > 0; }
 
-bool OutputCourse::waits(const Events& events, double length) const {
+/// Returns true if the next event is before this length.
+bool OutputCourse::comes(const Events& events, double length) const {
     return taken_ < events.list().size() && events.list()[taken_].length < length;
+}
+
+/// Returns true if one of the next events before this length waits.
+bool OutputCourse::stays(const Events& events, double length) const {
+    for (std::size_t n = taken_; n < events.list().size() && events.list()[n].length < length; ++n)
+        if (events.list()[n].waits) return true;
+    return false;
 }
 
 Events::Event OutputCourse::take(const Events& events) { return events.list()[taken_++]; }
@@ -68,37 +75,48 @@ OutputCourse::State OutputCourse::state(const Move& move) const {
     return state;
 }
 
-void OutputCourse::note(std::vector<Change>& changes, const State& state, double share, bool rested,
-                        int line) {
+void OutputCourse::note(std::vector<Change>& changes, const State& state, double share,
+                        Behind behind, int line) {
     if (state.bits != given_.bits) {
-        changes.push_back({OutputKind::kBits, double(state.bits), share, rested, line});
+        changes.push_back({OutputKind::kBits, double(state.bits), share, behind, line});
     }
     if (state.follow != given_.follow) {
-        changes.push_back({OutputKind::kFollow, state.follow, share, rested, line});
+        changes.push_back({OutputKind::kFollow, state.follow, share, behind, line});
     }
     if (state.level != given_.level) {
-        changes.push_back({OutputKind::kLevel, state.level, share, rested, line});
+        changes.push_back({OutputKind::kLevel, state.level, share, behind, line});
     }
     given_ = state;
 }
 
 std::vector<OutputCourse::Change> OutputCourse::next(const Move& move, const Events& events) {
     std::vector<Change> changes;
-    bool rested = false;
-    while (waits(events, move.from + kSamePlace)) {
-        const Events::Event event = take(events);
-        if (event.rested && !rested) note(changes, state(move), 0, false, event.line);
-        rested = rested || event.rested;
-        obey(events, event);
-    }
-    note(changes, state(move), 0, rested, move.line);
+    begin(move, events, changes);
     const double length = move.to - move.from;
-    while (waits(events, move.to - kSamePlace)) {
+    while (comes(events, move.to - kSamePlace)) {
         const Events::Event event = take(events);
         obey(events, event);
-        note(changes, state(move), (event.length - move.from) / length, false, event.line);
+        note(changes, state(move), (event.length - move.from) / length, {waits_}, event.line);
     }
     return changes;
+}
+
+/// Notes what is asked for where a move begins.
+void OutputCourse::begin(const Move& move, const Events& events, std::vector<Change>& changes) {
+    while (comes(events, move.from - kPassed)) obey(events, take(events));
+    const bool stays_here = stays(events, move.from + kSamePlace);
+    Behind behind{waits_};
+    while (comes(events, move.from + kSamePlace)) {
+        const Events::Event event = take(events);
+        const bool dwell = event.rest > 0 && !stays_here;
+        if (event.waits || dwell != behind.dwell) {
+            note(changes, state(move), 0, behind, event.line);
+            waits_ += event.waits ? 1 : 0;
+            behind = {waits_, dwell};
+        }
+        obey(events, event);
+    }
+    note(changes, state(move), 0, behind, move.line);
 }
 
 std::vector<OutputCourse::Change> OutputCourse::end(const Events& events) {
@@ -111,7 +129,7 @@ std::vector<OutputCourse::Change> OutputCourse::end(const Events& events) {
     }
     State state;
     state.bits = bits_ & ~((1 << kFirstOutput) - 1);
-    note(changes, state, 1, false, line);
+    note(changes, state, 1, {waits_}, line);
     return changes;
 }
 

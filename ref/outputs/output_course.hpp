@@ -32,12 +32,18 @@ bool switches_outputs(const std::string& code);
 
 class OutputCourse {
   public:
+    /// Rests between the end of the move before and a change: the program's waits so far, and a
+    /// dwell, where it waits for nobody there.
+    struct Behind {
+        int waits = 0;
+        bool dwell = false;
+    };
     /// A change at a place of a move; in the motion after it, where a dwell is between.
     struct Change {
         OutputKind kind;
         double value;
         double share;  // of the move's length that is before it
-        bool rested;
+        Behind behind;
         int line;
     };
 
@@ -55,15 +61,18 @@ class OutputCourse {
         double follow = 0;
     };
 
-    bool waits(const Events& events, double length) const;
+    bool comes(const Events& events, double length) const;
+    bool stays(const Events& events, double length) const;
     Events::Event take(const Events& events);
     void obey(const Events& events, const Events::Event& event);
-    void note(std::vector<Change>& changes, const State& state, double share, bool rested,
+    void begin(const Move& move, const Events& events, std::vector<Change>& changes);
+    void note(std::vector<Change>& changes, const State& state, double share, Behind behind,
               int line);
     State state(const Move& move) const;
 
     OutputRules rules_;
     std::size_t taken_ = 0;
+    int waits_ = 0;
     int bits_ = 0;      // as asked for
     double speed_ = 0;  // S
     State given_;

@@ -31,8 +31,8 @@ void PlacedOutputs::add(const std::vector<OutputCourse::Change>& changes, double
     for (const OutputCourse::Change& change : changes) {
         changes_.push_back({moves_,
                             change.share * length,
-                            change.rested,
-                            {0, change.kind, change.value, change.line}});
+                            change.behind.dwell,
+                            {0, change.kind, change.value, change.line, change.behind.waits}});
     }
 }
 
@@ -41,7 +41,7 @@ void PlacedOutputs::place(Plan& part) {
         const Change& change = changes_.front();
         PlannedOutput output = change.output;
         output.place = begin + std::llround(change.length / part.unit_mm * kQuantaPerUnit);
-        if (change.rested) output.place += static_cast<std::uint64_t>(kQuantaPerUnit);
+        if (change.dwelt) output.place += static_cast<std::uint64_t>(kQuantaPerUnit);
         if (!placed_.empty()) output.place = std::max(output.place, placed_.back().place);
         placed_.push_back(output);
         changes_.pop_front();

@@ -36,7 +36,7 @@ class PlacedOutputs {
     struct Change {
         std::size_t move;
         double length;  // mm of it before the change
-        bool rested;
+        bool dwelt;     // it is behind a dwell
         PlannedOutput output;
     };
 

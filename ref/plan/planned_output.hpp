@@ -18,11 +18,13 @@ constexpr double kAtAnyButRest = -1;
 /// |       | mm/s   | path at which the level is whole, below it in proportion; kAtAnySpeed,      |
 /// |       |        | kAtAnyButRest                                                              |
 /// | line  |        | of the program that asked for it                                           |
+/// | waits |        | PlannedWaits of the program that come before it                            |
 struct PlannedOutput {
     std::uint64_t place = 0;
     OutputKind kind = OutputKind::kBits;
     double value = 0;
     int line = 0;
+    int waits = 0;
 };
 
 }  // namespace curvecore::ref

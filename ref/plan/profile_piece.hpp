@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,11 @@ struct ProfilePiece {
     std::array<std::int64_t, 3> c{};  // c1 c2 c3, 34 fraction bits, |c| < 2
     bool final = false;               // last piece of the program
 };
+
+/// Ticks of a dwell.
+inline std::uint64_t rest_ticks(double seconds, double tick_s) {
+    return static_cast<std::uint64_t>(std::ceil(seconds / tick_s * (1 - 1e-12)));
+}
 
 /// A step of `ticks` ticks, in each of which the slope of time's rate changes by `change`, 2^-32
 /// per tick, and the rate then by its slope.

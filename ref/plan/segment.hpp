@@ -8,6 +8,7 @@
 #include "ref/curve/axes.hpp"
 #include "ref/curve/drawn/drawn_curve.hpp"
 #include "ref/plan/planned_output.hpp"
+#include "ref/plan/planned_wait.hpp"
 #include "ref/plan/profile_piece.hpp"
 
 namespace curvecore::ref {
@@ -88,6 +89,7 @@ struct Plan : PlanFrame {
     std::vector<ProfilePiece> pieces;
     std::vector<PlannedBranch> branches;  // by their pieces, none twice
     std::vector<PlannedOutput> outputs;   // by their places
+    std::vector<PlannedWait> waits;       // by their pieces
     double duration_s = 0;
     std::size_t slowed_moves = 0;  // moves slowed so that queued words outlast a stop
     int slowed_line = 0;           // line of the first of them

@@ -7,6 +7,7 @@
 #include "ref/curve/fit/cubic_fit.hpp"
 #include "ref/gcode/lines/dialect.hpp"
 #include "ref/gcode/state/program_start.hpp"
+#include "ref/moves/events.hpp"
 
 namespace curvecore::ref {
 
@@ -14,7 +15,7 @@ struct GcodeOptions {
     double fit_tolerance = kFitTolerance;  // mm, for NURBS that are no cubics
     std::optional<Dialect> dialect;        // none: recognised from the program
     ProgramStart start;
-    bool outputs = false;  // codes of outputs are obeyed (ref/outputs/output_course.hpp)
+    Obeyed obeyed{};
 };
 
 }  // namespace curvecore::ref

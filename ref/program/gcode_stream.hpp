@@ -15,7 +15,7 @@ class GcodeStream : public BlockStream {
     GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options);
 
     std::optional<Dialect> dialect() const override { return flow_.dialect(); }
-    void obey_outputs() override { interpreter_.obey_outputs(); }
+    void obey(const Obeyed& codes) override { interpreter_.obey(codes); }
     const Events& events() const override { return interpreter_.events(); }
 
   private:

@@ -34,7 +34,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     if (file == kStandardInput) {
         file_ = "stdin";
         gcode_ = std::make_unique<GcodeStream>(std::cin, file_, options);
-        if (gcode.outputs) gcode_->obey_outputs();
+        gcode_->obey(gcode.obeyed);
         return;
     }
     if (is_points_file(file)) {
@@ -51,7 +51,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     }
     text_ = std::make_unique<std::ifstream>(open_text_file(file));
     gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, options);
-    if (gcode.outputs) gcode_->obey_outputs();
+    gcode_->obey(gcode.obeyed);
 }
 
 ProgramStream::ProgramStream(HeldProgram program)

@@ -16,6 +16,7 @@ struct Job {
     ref::Program program;                 // moves are filled by read_job() alone
     std::optional<ref::Dialect> dialect;  // dialect of G-code; none: another reader
     ref::Events events;                   // actions besides motion
+    int first_wait = 0;                   // line of the first wait with motion behind it; 0: none
     ref::Machine machine;
     DrawnPlan plan;
     ref::LimitReport limits;

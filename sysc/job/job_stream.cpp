@@ -82,12 +82,15 @@ void JobStream::look_at_program() {
     job_.program.file = program.file();
     Seen seen;
     ref::SegmentBatches looker = batches(job_);
+    double length = 0;
     for (ref::Move move; program.next(move);) {
         raise_feed(move, job_.options);
         seen.add(move);
         looker.add(move);
+        length = move.to;
     }
     looker.look();
+    job_.first_wait = ref::first_wait(program.events(), length);
     seen.spline = first_drawn_spline(seen.spline);
     use(seen);
 }
@@ -145,6 +148,7 @@ bool JobStream::take(ref::Move& move) {
     if (!parts_.next(move)) return false;
     ++given_;
     outputs_->add(move, moves_->program().events());
+    waits_.add(move, moves_->program().events());
     if (keeps_) job_.plan.moves.push_back(move);
     return true;
 }
@@ -178,6 +182,7 @@ const ref::Plan* JobStream::next() {
     }
     if (part_->segments.back().last) outputs_->end(moves_->program().events());
     outputs_->place(*part_);
+    waits_.place(*part_);
     static_cast<ref::PlanFrame&>(job_.plan) = *part_;
     duration_s_ += part_->duration_s;
     job_.plan.slowed_moves += part_->slowed_moves;

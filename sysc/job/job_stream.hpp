@@ -7,6 +7,7 @@
 #include "ref/feed/plan_stream.hpp"
 #include "ref/limits/move_parts.hpp"
 #include "ref/outputs/placed_outputs.hpp"
+#include "ref/outputs/placed_waits.hpp"
 #include "sysc/job/drawn_moves.hpp"
 #include "sysc/job/job.hpp"
 
@@ -67,6 +68,7 @@ class JobStream {
     bool splines_ = false;
     double fastest_ = 0;
     std::optional<ref::PlacedOutputs> outputs_;
+    ref::PlacedWaits waits_;
     std::optional<ref::PlanStream> plan_;
     std::optional<ref::Plan> part_;
     std::size_t given_ = 0;  // number of moves given

@@ -33,7 +33,7 @@ class LinuxcncProgram : public ref::BlockStream {
     LinuxcncProgram(std::vector<std::string> command, const std::string& file,
                     double fit_tolerance);
 
-    void obey_outputs() override { moves_.obey_outputs(); }
+    void obey(const ref::Obeyed& codes) override { moves_.obey(codes); }
     const ref::Events& events() const override { return moves_.events(); }
 
   private:

@@ -21,6 +21,8 @@ class Console {
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
+    /// Returns true if somebody can ask for something.
+    bool heard() const { return terminal_ || file_.is_open(); }
     /// Adds what was asked for since the last time, while the override is this; messages about what
     /// is none go to stderr.
     void add_to(WishQueue& wishes, int override_percent);

@@ -111,7 +111,9 @@ void RemoteMachine::settle(std::uint32_t mask) {
 
 std::uint64_t RemoteMachine::stand() {
     control_ = read(CURVECORE_CONTROL);
-    if (!is(CURVECORE_STATE_ENABLED_MASK) || !is(CURVECORE_STATE_ACTIVE_MASK)) {
+    // At a wait for a person nothing is active.
+    const bool begun = is(CURVECORE_STATE_ACTIVE_MASK) || telemetry().path > 0;
+    if (!is(CURVECORE_STATE_ENABLED_MASK) || !begun) {
         throw UsageError("the board has no program under way that it could go on with");
     }
     hold(true);
@@ -193,17 +195,19 @@ std::uint32_t RemoteMachine::why_off() const {
     return why == now.state ? why : why & ~CURVECORE_STATE_BUS_MASK;
 }
 
-bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces) {
-    if (!frames_.may_send()) return false;
-    const auto fits = [](const std::deque<std::uint64_t>& words, int room) {
-        return std::min(words.size(), static_cast<std::size_t>(std::max(room, 0)));
+RemoteMachine::WordCounts RemoteMachine::push(std::deque<std::uint64_t>& segments,
+                                              std::deque<std::uint64_t>& pieces,
+                                              const WordCounts& most) {
+    if (!frames_.may_send()) return {};
+    const auto fits = [](std::uint64_t words, int room) {
+        return std::min<std::size_t>(words, std::max(room, 0));
     };
-    const std::size_t segment_words = fits(segments, telemetry().segment_room);
-    const std::size_t profile_words = fits(pieces, telemetry().profile_room);
-    const std::size_t most = frames_.words_of_frame();
-    const std::size_t count = std::min(segment_words + profile_words, most);
+    const std::size_t segment_words = fits(most.segments, telemetry().segment_room);
+    const std::size_t profile_words = fits(most.pieces, telemetry().profile_room);
+    const std::size_t longest = frames_.words_of_frame();
+    const std::size_t count = std::min(segment_words + profile_words, longest);
     // Short frames wait for those before: fewer are under way, and fewer are repeated.
-    if (count == 0 || (count < most && !frames_.all_taken())) return false;
+    if (count == 0 || (count < longest && !frames_.all_taken())) return {};
     // Half of each, where there are enough.
     const std::size_t rest = count - std::min(count, profile_words);
     const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));
@@ -219,7 +223,7 @@ bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::ui
     fill(CURVECORE_SEGMENT_LO, segments, of_segments);
     fill(CURVECORE_PROFILE_LO, pieces, count - of_segments);
     frames_.send(static_cast<int>(of_segments), static_cast<int>(count - of_segments));
-    return true;
+    return {of_segments, count - of_segments};
 }
 
 double RemoteMachine::words_per_s() const {

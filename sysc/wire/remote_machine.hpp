@@ -65,9 +65,15 @@ class RemoteMachine {
     /// @throws UsageError: a machine that cannot be turned on
     void begin(const BoardSettings& settings, int watchdog_samples);
 
-    /// Takes words from the front of each while the board has room. Returns false if none were
-    /// taken.
-    bool push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces);
+    /// Numbers of words of both streams.
+    struct WordCounts {
+        std::uint64_t segments = 0;
+        std::uint64_t pieces = 0;
+    };
+    /// Takes words from the front of each while the board has room, so many at most. Returns how
+    /// many.
+    WordCounts push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces,
+                    const WordCounts& most);
 
     void set_override(int word);
     void hold(bool on);
@@ -80,6 +86,8 @@ class RemoteMachine {
     /// Handles answers, repetitions and state, for one wait of the link.
     void work() { frames_.work(); }
     void finish() { frames_.finish(); }
+    /// Returns true if the board has taken all that was sent.
+    bool all_taken() const { return frames_.all_taken(); }
     WireClock::time_point now() const { return link_.now(); }
 
     const Telemetry& telemetry() const { return frames_.telemetry(); }

@@ -23,7 +23,7 @@ void take_board(const RemoteBuild& build, Options& options) {
     options.segment_queue_words = build.segment_queue_words;
     options.profile_queue_words = build.profile_queue_words;
     options.outputs = build.outputs;
-    options.gcode.outputs = build.outputs > 0;
+    options.gcode.obeyed.outputs = build.outputs > 0;
 }
 
 void take_board(const std::string& link, Options& options) {

@@ -28,8 +28,7 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
     for (;;) {
         words_.take(planned_);
         keep_to_link();
-        while (machine_.push(planned_.segments, planned_.pieces)) {
-        }
+        push();
         look();
         if (machine_.is(kEnds)) return StreamEnd::kFault;
         if (machine_.is(CURVECORE_STATE_CAUGHT_MASK)) return StreamEnd::kCaught;
@@ -38,9 +37,37 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
             settle();
             return StreamEnd::kDone;
         }
+        if (!waits_for_person_ && at_wait()) {
+            settle();
+            waits_for_person_ = true;
+        }
         if (!meet_wishes()) return StreamEnd::kStopped;
         turn();
     }
+}
+
+/// Sends words up to the next wait for a person: the board takes the rest as another program.
+void WireStream::push() {
+    for (;;) {
+        RemoteMachine::WordCounts most{planned_.segments.size(), planned_.pieces.size()};
+        if (!planned_.waits.empty()) {
+            const WaitWord& wait = planned_.waits.front();
+            most = {wait.segments - pushed_.segments, wait.pieces - pushed_.pieces};
+        }
+        const auto [segments, pieces] = machine_.push(planned_.segments, planned_.pieces, most);
+        if (segments + pieces == 0) return;
+        pushed_.segments += segments;
+        pushed_.pieces += pieces;
+    }
+}
+
+/// Returns true if all that comes before the next wait for a person is drawn.
+bool WireStream::at_wait() const {
+    if (planned_.waits.empty()) return false;
+    const WaitWord& next = planned_.waits.front();
+    return next.pieces == pushed_.pieces && machine_.all_taken() &&
+           machine_.telemetry().path == next.wait.place &&
+           !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
 }
 
 void WireStream::look() {
@@ -106,6 +133,8 @@ bool WireStream::meet_wishes() {
                 break;
             case Wish::Kind::kResume:
                 machine_.hold(false);
+                if (wait() != nullptr) planned_.waits.pop_front();
+                waits_for_person_ = false;
                 break;
             case Wish::Kind::kOverride:
                 set_rate(wish->percent / 100.0);

@@ -40,10 +40,16 @@ class WireStream {
     int override_percent() const { return static_cast<int>(std::lround(100 * wished_rate_)); }
     /// Returns true while the board waits for words.
     bool waiting() const { return waiting_; }
+    /// Returns the wait for a person where the machine stands now; null: none.
+    const ref::PlannedWait* wait() const {
+        return waits_for_person_ ? &planned_.waits.front().wait : nullptr;
+    }
 
   private:
     bool meet_wishes();
+    void push();
     bool drawn() const;
+    bool at_wait() const;
     void settle();
     void look();
     void see_waits();
@@ -57,9 +63,11 @@ class WireStream {
     double wished_rate_;
     double link_rate_ = 1;
     std::uint64_t path_ = 0;
+    RemoteMachine::WordCounts pushed_;
     std::uint32_t faults_ = 0;
     std::vector<std::uint64_t> waits_;
     bool waiting_ = false;
+    bool waits_for_person_ = false;
     bool held_ = false;  // true: time stopped or slowed, for any reason
 };
 

@@ -28,7 +28,8 @@ std::array<double, kBoardAxes> start_of(const ref::Segment& first, double unit_m
     return start;
 }
 
-void move_to(std::deque<std::uint64_t>& held, std::deque<std::uint64_t>& planned) {
+template <class Item>
+void move_to(std::deque<Item>& held, std::deque<Item>& planned) {
     held.insert(held.end(), planned.begin(), planned.end());
     planned.clear();
 }
@@ -84,7 +85,13 @@ void WordSource::add(const ref::Plan& part) {
         append(words.segments, segment_words_->write(segment));
     }
     const std::size_t each = words.segments.size() / std::max<std::size_t>(part.segments.size(), 1);
+    std::size_t wait = 0;
     for (std::size_t i = 0; i < part.pieces.size(); ++i) {
+        for (; wait < part.waits.size() && part.waits[wait].pieces == i; ++wait) {
+            append(words.pieces, piece_words_->wait(part));
+            words.waits.push_back({segment_word_count_ + each * part.waits[wait].segments,
+                                   piece_word_count_ + words.pieces.size(), part.waits[wait]});
+        }
         const std::vector<std::uint64_t> piece = piece_words_->write(part, i);
         append(words.pieces, piece);
         for (; next < part.segments.size() && segment_s <= piece_s; ++next) {
@@ -95,6 +102,8 @@ void WordSource::add(const ref::Plan& part) {
         piece_s += part.pieces[i].ticks * tick_s;
         pass(part.pieces[i].ticks * tick_s);
     }
+    segment_word_count_ += words.segments.size();
+    piece_word_count_ += words.pieces.size();
     const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
     const std::lock_guard lock(mutex_);
     planned_.words += words.segments.size() + words.pieces.size();
@@ -103,6 +112,7 @@ void WordSource::add(const ref::Plan& part) {
     planned_.busiest = busiest_;
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
+    move_to(planned_.waits, words.waits);
     if (!settings_) {
         settings_ = board_settings(stream_->job());
         start_ = start_of(part.segments.front(), options.unit_mm);
@@ -132,6 +142,7 @@ void WordSource::take(PlannedWords& held) {
     const std::lock_guard lock(mutex_);
     move_to(held.segments, planned_.segments);
     move_to(held.pieces, planned_.pieces);
+    move_to(held.waits, planned_.waits);
     held.words = planned_.words;
     held.samples = planned_.samples;
     held.path = planned_.path;

@@ -20,10 +20,18 @@
 
 namespace curvecore::sysc {
 
+/// A wait of the program, behind so many words from the program's start.
+struct WaitWord {
+    std::uint64_t segments = 0;
+    std::uint64_t pieces = 0;
+    ref::PlannedWait wait;
+};
+
 /// Words that are planned so far.
 struct PlannedWords {
     std::deque<std::uint64_t> segments;
     std::deque<std::uint64_t> pieces;
+    std::deque<WaitWord> waits;
     std::uint64_t words = 0;
     std::uint64_t samples = 0;
     std::uint64_t path = 0;     // quanta
@@ -44,6 +52,9 @@ class WordSource {
     BoardSettings settings();
     /// Start of the program, mm; to be called after settings().
     const std::array<double, kBoardAxes>& start() const { return start_; }
+    /// Returns the first line at which the program waits for a person, as far as it was looked at;
+    /// 0: none. To be called after settings().
+    int first_wait() const { return stream_->job().first_wait; }
     /// Returns the path, as far as it is planned.
     PlannedPath& path() { return path_; }
     /// Adds the new words to those held and updates the figures of planning.
@@ -66,6 +77,8 @@ class WordSource {
     std::optional<SegmentWriter> segment_words_;
     std::optional<ProfileWriter> piece_words_;
     double time_s_ = 0;  // planned time of the program
+    std::uint64_t segment_word_count_ = 0;
+    std::uint64_t piece_word_count_ = 0;
     std::uint64_t words_of_second_ = 0;
     std::uint64_t busiest_ = 0;
     std::optional<BoardSettings> settings_;

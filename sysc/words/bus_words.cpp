@@ -90,13 +90,8 @@ std::uint32_t OutputWriter::value_of(const ref::PlannedOutput& output) const {
 std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size_t index) {
     std::vector<std::uint64_t> words;
     path_ += plan.pieces[index].ds;
-    if (index == 0) output_ = 0;
-    if (outputs_) {
-        for (; output_ < plan.outputs.size() && plan.outputs[output_].place <= path_; ++output_) {
-            outputs_->write(plan.outputs[output_], words);
-        }
-        outputs_->pass(path_, words);
-    }
+    write_outputs(plan, words);
+    if (outputs_) outputs_->pass(path_, words);
     const std::size_t first = words.size();
     const auto is_before = [](const ref::PlannedBranch& branch, std::size_t piece) {
         return branch.piece < piece;
@@ -113,7 +108,24 @@ std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size
     hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(count_++),
               &words[words.size() - hls::kProfileBusWords]);
     check_.seal(&words[first], words.size() - first);
+    if (index + 1 == plan.pieces.size()) output_ = 0;
     return words;
+}
+
+std::vector<std::uint64_t> ProfileWriter::wait(const ref::Plan& plan) {
+    std::vector<std::uint64_t> words;
+    write_outputs(plan, words);
+    ++waits_;
+    return words;
+}
+
+void ProfileWriter::write_outputs(const ref::Plan& plan, std::vector<std::uint64_t>& words) {
+    if (!outputs_) return;
+    for (; output_ < plan.outputs.size(); ++output_) {
+        const ref::PlannedOutput& output = plan.outputs[output_];
+        if (output.place > path_ || output.waits > waits_) break;
+        outputs_->write(output, words);
+    }
 }
 
 }  // namespace curvecore::sysc

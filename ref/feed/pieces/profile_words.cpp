@@ -164,7 +164,7 @@ void append_run(const std::vector<Phase>& phases, std::uint64_t length, const Pi
 }
 
 void append_rest(double seconds, const PieceGrid& grid, std::vector<ProfilePiece>& pieces) {
-    auto ticks = static_cast<std::uint64_t>(std::ceil(seconds / grid.tick * (1 - 1e-12)));
+    std::uint64_t ticks = rest_ticks(seconds, grid.tick);
     while (ticks > 0) {
         // The last one is no longer than others: where motion begins, a piece has begun shortly
         // before.

@@ -45,7 +45,7 @@ class CanonicalMoves {
     [[noreturn]] void refuse(const std::string& reason, int line) const;
 
     const Events& events() const { return moves_.events(); }
-    void obey_outputs() { moves_.obey_outputs(); }
+    void obey(const Obeyed& codes) { moves_.obey(codes); }
     std::vector<Move> take(bool last) { return moves_.take(last); }
     Program finish() { return moves_.finish(); }
 

@@ -49,7 +49,7 @@ class Interpreter {
     void note(const std::string& code, bool waits, const Place& place);
     void warn(const std::string& text, const Place& place) { moves_.warn(text, place); }
     const Events& events() const { return moves_.events(); }
-    void obey_outputs() { moves_.obey_outputs(); }
+    void obey(const Obeyed& codes) { moves_.obey(codes); }
     /// Hands over moves in order; also the `last` one, behind which a stop or a dwell may still
     /// come.
     std::vector<Move> take(bool last) { return moves_.take(last); }

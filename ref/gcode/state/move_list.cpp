@@ -8,6 +8,7 @@
 
 #include "ref/gcode/state/coordinates.hpp"
 #include "ref/outputs/output_course.hpp"
+#include "ref/outputs/placed_waits.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -96,9 +97,11 @@ void MoveList::warn(const std::string& text, const Place& place) {
 
 void MoveList::leave_out(const std::string& code, const Place& place, double value,
                          bool along_path) {
-    const bool rested = !program_.moves.empty() && program_.moves.back().dwell > 0;
-    events_.add(code, {place.line, 0, value, length_, rested});
-    if (outputs_ && switches_outputs(code)) return;
+    const double rest = program_.moves.empty() ? 0 : program_.moves.back().dwell;
+    const bool waits = obeys_.waits && waits_for_person(code);
+    events_.add(code, {place.line, 0, value, length_, rest, waits});
+    if (waits || (obeys_.waits && code == "T")) return;
+    if (obeys_.outputs && switches_outputs(code)) return;
     LeftOut& all = left_out_[code];
     all.changed = all.changed || (along_path && value != all.value);
     value_changed_ = value_changed_ || all.changed;

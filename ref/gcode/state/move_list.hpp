@@ -35,8 +35,8 @@ class MoveList {
     /// Rests behind the last move; before the first one it is left out, with a warning.
     void dwell(double seconds, const Place& place);
     void warn(const std::string& text, const Place& place);
-    /// Obeys codes of outputs: no warning names them.
-    void obey_outputs() { outputs_ = true; }
+    /// Obeys these codes: no warning names them.
+    void obey(const Obeyed& codes) { obeys_ = codes; }
     /// Records a code that asks for more than motion, such as M3, as an event; one warning names
     /// all that are not obeyed. It also names those whose value, as S, holds `along_path` and
     /// changes where the path goes on.
@@ -71,7 +71,7 @@ class MoveList {
 
     Program program_;
     Events events_;
-    bool outputs_ = false;  // are obeyed
+    Obeyed obeys_;
     std::map<std::string, Warning> warnings_;
     std::map<std::string, LeftOut> left_out_;
     double length_ = 0;           // mm, of all moves

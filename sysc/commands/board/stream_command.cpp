@@ -8,6 +8,7 @@
 #include "hls/registers/registers.h"
 #include "ref/curve/axes.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/board/stream_panel.hpp"
@@ -71,6 +72,14 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
     return json;
 }
 
+/// @throws InputError: the whole program is to be drawn, and it waits for a person
+void check_alone(const WordSource& words, const Options& options) {
+    if (options.from_mm > 0 || words.first_wait() == 0) return;
+    throw ref::InputError(options.file, words.first_wait(),
+                          "the program waits for a person here, and nobody could say resume: keys "
+                          "need a terminal; or give --control FILE, or --web");
+}
+
 struct StreamOptions {
     PartOptions part;
     WireOptions wire;
@@ -89,6 +98,7 @@ int stream_command(StreamOptions& asked) {
         const Drives drives = drives_of(wire, build.axes);
         const InterruptGuard guard;
         if (asked.rest) options.from_mm += mm_of(machine.stand(), options);
+        options.gcode.obeyed.waits = true;
         WordSource words(options);
         const BoardSettings settings = words.settings();
         if (asked.rest) {
@@ -97,6 +107,7 @@ int stream_command(StreamOptions& asked) {
         }
         std::optional<StreamPanel> panel;
         panel.emplace(StreamPanel::Parts{options, drives, machine, words}, wire.control, asked.web);
+        if (!panel->heard()) check_alone(words, options);
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         check_start(machine, words.start(), drives, options.machine);
@@ -205,7 +216,8 @@ void add_wire(CLI::App& command, WireOptions& wire) {
     add_text(command, "--control", wire.control, "FILE",
              "lines that are added to it are obeyed: hold, resume, override 50, stop, estop");
     command.footer(
-        "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path.\n"
+        "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path. The\n"
+        "program waits for resume at M0, M6 and M60.\n"
         "The axes stand where the program begins; of axes that are homed that is checked.");
 }
 

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "hls/path_outputs.hpp"
 #include "hls/registers/registers.h"
@@ -42,10 +43,27 @@ void StreamPanel::begin(const Encoders& encoders) {
 
 void StreamPanel::turn(const WireStream& stream) {
     console_.add_to(wishes_, stream.override_percent());
+    tell_wait(stream);
     const WireClock::time_point now = WireClock::now();
     if (now < shown_ + kPeriod || !(terminal_.on() || (page_ && page_->watched()))) return;
     shown_ = now;
     show(status(stream));
+}
+
+/// Says once that the program waits; if nobody can make it go on, it stops.
+void StreamPanel::tell_wait(const WireStream& stream) {
+    const ref::PlannedWait* wait = stream.wait();
+    const std::string before =
+        std::exchange(wait_, wait == nullptr ? "" : fmt::format("{} {}", wait->line, wait->what));
+    if (wait == nullptr || wait_ == before) return;
+    const double place_mm =
+        static_cast<double>(wait->place) * parts_.options.unit_mm * ref::kQuantum;
+    if (!terminal_.on() || !heard()) {
+        fmt::print(stderr, "{}:{}: waits at {:.3f} mm: {}; {}\n", parts_.options.file, wait->line,
+                   place_mm, wait->what,
+                   heard() ? "resume goes on" : "nobody can say resume, so it stops");
+    }
+    if (!heard()) wishes_.push({Wish::Kind::kStop});
 }
 
 void StreamPanel::end(const WireStream& stream, const std::string& how) {
@@ -73,6 +91,7 @@ std::string StreamPanel::lose(const WireStream& stream) {
 std::string StreamPanel::state(const WireStream& stream) const {
     const RemoteMachine& machine = parts_.machine;
     if (!machine.is(CURVECORE_STATE_ENABLED_MASK)) return "off";
+    if (stream.wait() != nullptr) return "waits for a person: " + stream.wait()->what;
     if (machine.is(CURVECORE_STATE_HOLDING_MASK)) {
         return machine.is(CURVECORE_STATE_STANDING_MASK) ? "held" : "holds";
     }

@@ -30,6 +30,8 @@ class StreamPanel {
     /// The axes stand where the program begins.
     void begin(const Encoders& encoders);
 
+    /// Returns true if somebody can ask for something.
+    bool heard() const { return console_.heard() || page_; }
     WishQueue& wishes() { return wishes_; }
     /// Takes wishes and shows the state, where someone looks and it is time to.
     void turn(const WireStream& stream);
@@ -41,6 +43,7 @@ class StreamPanel {
   private:
     PanelStatus status(const WireStream& stream);
     std::string state(const WireStream& stream) const;
+    void tell_wait(const WireStream& stream);
     void show(PanelStatus status);
     void log(const PanelStatus& status);
 
@@ -51,6 +54,7 @@ class StreamPanel {
     const Encoders* encoders_ = nullptr;
     std::vector<std::int32_t> begin_;  // steps
     WireClock::time_point shown_;
+    std::string wait_;  // for a person, as it was said; empty: none
     PanelStatus last_;
     std::vector<std::string> log_;
     std::optional<PageServer> page_;  // last member: its thread uses the others

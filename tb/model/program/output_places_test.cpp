@@ -140,7 +140,7 @@ TEST_P(OutputPlacesOnPaths, AreWithinTheToleranceOfWhereTheyAreAsked) {
 
 INSTANTIATE_TEST_SUITE_P(Form, OutputPlacesOnPaths,
                          testing::Values("lines", "chords", "arcs", "fit"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& form) { return std::string(form.param); });
 
 void expect_refused(const std::function<void()>& planned, const std::string& why) {
     try {

@@ -120,8 +120,8 @@ std::vector<int> percents() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Percent, MotionOutputsAtRates, testing::ValuesIn(percents()),
-                         [](const auto& info) {
-                             return "At" + std::to_string(info.param) + "Percent";
+                         [](const auto& form) {
+                             return "At" + std::to_string(form.param) + "Percent";
                          });
 
 TEST_F(MotionOutputs, KeepTheirPlacesThroughHolds) {
