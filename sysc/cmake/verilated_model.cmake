@@ -83,7 +83,8 @@ function(verilated_model target)
       VERBATIM)
     set(sources ${flat})
     # Words of the levels of a hierarchy are merged; one part of such a word may depend on another.
-    list(APPEND flags --language 1364-2005 -Wno-lint -Wno-UNOPTFLAT)
+    # Verilator 5.006 makes wrong models of some of these with its data flow graphs.
+    list(APPEND flags --language 1364-2005 -Wno-lint -Wno-UNOPTFLAT -fno-dfg)
   else()
     if(makes_programs)
       set(microcode ${dir}/program.hex ${dir}/data.hex)
