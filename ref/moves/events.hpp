@@ -11,7 +11,7 @@ namespace curvecore::ref {
 /// Largest distance of lengths that are the same place.
 constexpr double kSamePlace = 1e-9;  // mm
 /// Least distance of an event before the place from which a program is drawn, if it has passed.
-constexpr double kPassed = 1e-6;  // mm
+constexpr double kLeftOut = 1e-6;  // mm
 
 /// Codes besides motion that are obeyed.
 struct Obeyed {

@@ -103,7 +103,7 @@ std::vector<OutputCourse::Change> OutputCourse::next(const Move& move, const Eve
 
 /// Notes what is asked for where a move begins.
 void OutputCourse::begin(const Move& move, const Events& events, std::vector<Change>& changes) {
-    while (comes(events, move.from - kPassed)) obey(events, take(events));
+    while (comes(events, move.from - kLeftOut)) obey(events, take(events));
     const bool stays_here = stays(events, move.from + kSamePlace);
     Behind behind{waits_};
     while (comes(events, move.from + kSamePlace)) {

@@ -37,7 +37,7 @@ void PlacedWaits::add(const Move& move, const Events& events) {
         }
     };
     if (moves_ == 0) {
-        take(move.from - kPassed, {}, false);
+        take(move.from - kLeftOut, {}, false);
         take(move.from + kSamePlace, {});
     }
     take(move.to + kSamePlace, moves_);
