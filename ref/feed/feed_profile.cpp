@@ -33,12 +33,22 @@ constexpr double kSteady = 0.99;  // share of its feed at which a move has as fe
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
 
-/// Returns the number of moves for which there is memory, by a motion that the rules give.
+/// Time from a cut to the end of its window that is enough for the motion before the cut.
+double time_to_stop(const Machine& machine) {
+    return 2 *
+           (machine.velocity / (kAccelerationShare * machine.acceleration) + ramp_time(machine));
+}
+
+/// Returns the number of moves for which there is memory, and that are within the horizon, by a
+/// motion that the rules give.
 std::size_t enough_moves(const FeedTask& task, const WindowMotion& motion) {
     const std::vector<double>& times = motion.times();
+    const std::size_t open = given_moves(task.given);
+    const double end = times[open] + horizon(task.machine, task.options);
     double knots = 0;
-    for (std::size_t i = given_moves(task.given); i < task.geometry.moves.size(); ++i) {
-        if (knots > kMostKnots && i >= task.least && motion.begins_move(i)) return i;
+    for (std::size_t i = open; i < task.geometry.moves.size(); ++i) {
+        const bool full = knots > kMostKnots || times[i] > end;
+        if (full && i >= task.least && motion.begins_move(i)) return i;
         const PlannedMove& planned = task.geometry.moves[i];
         const Move& move = task.program.moves[planned.move];
         const double time = times[i + 1] - times[i];
@@ -55,8 +65,7 @@ std::size_t enough_moves(const FeedTask& task, const WindowMotion& motion) {
 std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine& machine) {
     const double begin = motion.times()[open];
     const double end = motion.times().back();
-    const double stopping =
-        2 * (machine.velocity / (kAccelerationShare * machine.acceleration) + ramp_time(machine));
+    const double stopping = time_to_stop(machine);
     const double from = begin + kCutFrom * (end - begin);
     const double to = std::max(end - stopping, (from + end) / 2);
     std::size_t best = 0;
@@ -188,6 +197,10 @@ std::optional<WindowProfile> cover_motion(const FeedTask& task, std::size_t cut,
 }
 
 }  // namespace
+
+double horizon(const Machine& machine, const PlanOptions& options) {
+    return std::max(options.horizon_s, 2 * time_to_stop(machine));
+}
 
 std::optional<WindowProfile> profile_window(FeedTask task) {
     const Effort effort = task.options.effort;

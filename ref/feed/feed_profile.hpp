@@ -13,7 +13,8 @@ namespace curvecore::ref {
 /// |--------|---------------------------------------------------------------------------------|
 /// | plan   | pieces and duration, of a whole program also branches; segments are left out    |
 /// | cut    | planned move before which the motion may be cut, without acceleration; 0: none  |
-/// | enough | number of planned moves for which there is memory: if not all, plan is empty   |
+/// | enough | number of planned moves for which there is memory, or within the horizon: if not |
+/// |        | all, plan is empty                                                              |
 struct WindowProfile {
     WindowMotion motion;
     Plan plan;
@@ -27,6 +28,9 @@ struct WindowProfile {
 /// @returns none if the given motion cannot be continued
 /// @throws InputError: what the queues hold outlasts a stop at no speed
 std::optional<WindowProfile> profile_window(FeedTask task);
+
+/// Returns the time of motion that a window has behind what is given, s.
+double horizon(const Machine& machine, const PlanOptions& options);
 
 /// Returns the last planned move, of those that begin a move of the program, from which on a window
 /// must be given the motion to see all that affects what follows `cut`.

@@ -22,6 +22,8 @@ constexpr std::size_t kFew = 32;     // moves that a window may have, whatever t
 constexpr double kLongMove = 1;      // mm; above this mean length a window has fewer moves
 constexpr std::size_t kMostPlanned = 16000;  // moves, or segments: a window has no more
 constexpr std::size_t kFewest = 3;           // moves that it may have, whatever their time
+constexpr double kAmple = 1.2;  // horizons of motion that are read, by the pace of the last window
+constexpr double kShort = 0.7;  // share of the horizon below which a window reads more
 
 double length_of(const std::vector<Move>& moves) {
     double length = 0;
@@ -36,11 +38,6 @@ PlanOptions with_cuts(PlanOptions options) {
 }
 
 }  // namespace
-
-double fastest_motion(const Move& move) {
-    const bool linear = move.aux_start == move.aux_end;  // else an axis may outrun the path
-    return linear && !move.rapid && move.feed > 0 ? move.feed : kUnlimitedSpeed;
-}
 
 /// A window's moves with their motion, from the given part to a rest.
 struct PlanStream::Window {
@@ -67,7 +64,8 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
       machine_(std::move(machine)),
       options_(with_cuts(options)),
       fastest_(frame.fastest),
-      size_(options.window) {
+      size_(options.window),
+      horizon_(horizon(machine_, options_)) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;
     frame_.unit_mm = options_.unit_mm;
@@ -78,7 +76,8 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
 PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
-    bool all = false;  // everything is planned, whatever its size
+    bool all = false;      // everything is planned, whatever its size
+    std::size_t seen = 0;  // moves of the window before
     for (std::size_t size = size_; !ended_;) {
         read(size);
         std::unique_ptr<Window> window = look(all ? SIZE_MAX : kMostPlanned);
@@ -96,6 +95,8 @@ std::optional<Plan> PlanStream::next() {
             all = true;
         } else if (task.whole) {
             return give_out_whole(*window);
+        } else if (!all && program_.moves.size() > seen && is_short(*window)) {
+            seen = program_.moves.size();
         } else if (more_ && window->profile->cut == 0 && size < kLargest * size_) {
             size *= 2;
             all = true;
@@ -116,17 +117,38 @@ void PlanStream::fail() {
     more_ = false;
 }
 
+/// Returns the time of the window's open moves at their feeds, s.
+double PlanStream::open_time() const {
+    double time = 0;
+    for (std::size_t i = begun_moves_; i < program_.moves.size(); ++i) {
+        time += least_time(program_.moves[i], machine_.velocity);
+    }
+    return time;
+}
+
+/// Learns how slow motion is here. Returns true if the window has less of it than it should.
+bool PlanStream::is_short(const Window& window) {
+    if (horizon_ == kUnlimited) return false;
+    const std::vector<double>& times = window.profile->motion.times();
+    const double time = times.back() - times[window.open];
+    pace_ = std::max(1.0, time / open_time());
+    return more_ && time < kShort * horizon_ && program_.moves.size() < size_;
+}
+
 void PlanStream::read(std::size_t size) {
     double length = length_of(program_.moves) + length_of(next_);
+    double time = horizon_ == kUnlimited ? 0 : open_time();
     const auto is_full = [&] {
         const std::size_t moves = program_.moves.size() + next_.size();
-        return moves > size || (moves > kFew && length > kLongMove * static_cast<double>(size));
+        return moves > size || (moves > kFew && length > kLongMove * static_cast<double>(size)) ||
+               pace_ * time > kAmple * horizon_;
     };
     try {
         while (more_ && !is_full()) {
             take_next();
             read_next();
             length += length_of(next_);
+            for (const Move& move : next_) time += least_time(move, machine_.velocity);
         }
     } catch (const InputError&) {
         fail();

@@ -32,9 +32,6 @@ struct StreamFrame {
     double fastest = kUnlimitedSpeed;
 };
 
-/// Upper limit of the move's speed, mm/s, without the machine's limits.
-double fastest_motion(const Move& move);
-
 class PlanStream {
   public:
     PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options);
@@ -62,6 +59,8 @@ class PlanStream {
     struct Window;
 
     void read(std::size_t size);
+    double open_time() const;
+    bool is_short(const Window& window);
     void read_next();
     void take_next();
     std::size_t planned_before() const;
@@ -88,6 +87,8 @@ class PlanStream {
     const double fastest_;
     double raised_ = 1;
     std::size_t size_;             // moves of a window for which there is memory
+    const double horizon_;         // s
+    double pace_ = 1;              // time of the last window's open moves over that at their feeds
     std::deque<Move> back_;        // moves read before, to be read again
     Program program_;              // the window's
     std::size_t begun_moves_ = 0;  // moves of it that a part has, or the start of

@@ -10,12 +10,11 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLongestTime = 200;  // s, at the feed: bounds pieces and stop branches in memory
 constexpr double kLongestTurningTime = 10;  // s, of an arc at the machine's speed: bounds knots
 
-int parts_of(const Move& move, const Machine& machine) {
+int parts_of(const Move& move, const Machine& machine, double longest) {
     double parts = 1;
-    if (!move.rapid && move.feed > 0) parts = move.length() / move.feed / kLongestTime;
+    if (!move.rapid && move.feed > 0) parts = move.length() / move.feed / longest;
     if (move.kind == Move::Kind::kArc) {
         const PathShape shape = path_shape(move);
         const double time = shape.length / top_speed(shape, machine);
@@ -29,7 +28,7 @@ int parts_of(const Move& move, const Machine& machine) {
 bool MoveParts::next(Move& move) {
     if (given_ == parts_) {
         if (!source_(whole_)) return false;
-        parts_ = parts_of(whole_, machine_);
+        parts_ = parts_of(whole_, machine_, longest_);
         given_ = 0;
     }
     if (parts_ == 1) {

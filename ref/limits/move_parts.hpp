@@ -7,13 +7,16 @@
 
 namespace curvecore::ref {
 
-/// Gives the moves of a source; a move that takes more than 200 s at its feed, or an arc that takes
-/// more than 10 s at the machine's speed there, in even parts.
+constexpr double kLongestPart = 200;  // s: bounds pieces and stop branches in memory
+
+/// Gives the moves of a source; a move that takes longer than a part at its feed, or an arc that
+/// takes more than 10 s at the machine's speed there, in even parts.
 class MoveParts {
   public:
     /// @param machine outlives it
-    MoveParts(MoveSource source, const Machine& machine)
-        : source_(std::move(source)), machine_(machine) {}
+    /// @param longest of a part at its feed, s
+    MoveParts(MoveSource source, const Machine& machine, double longest = kLongestPart)
+        : source_(std::move(source)), machine_(machine), longest_(longest) {}
 
     /// Gives the next move; returns false if there is none. @throws InputError of the source
     bool next(Move& move);
@@ -21,6 +24,7 @@ class MoveParts {
   private:
     MoveSource source_;
     const Machine& machine_;
+    double longest_;
     Move whole_;
     int parts_ = 0;
     int given_ = 0;

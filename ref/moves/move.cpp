@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -46,6 +47,16 @@ double Move::length() const {
     };
     const double uvw = travel(3);
     return uvw > 0 ? uvw : travel(0);
+}
+
+double fastest_motion(const Move& move) {
+    const bool linear = move.aux_start == move.aux_end;  // else an axis may outrun the path
+    return linear && !move.rapid && move.feed > 0 ? move.feed : kUnlimitedSpeed;
+}
+
+double least_time(const Move& move, double fastest) {
+    const bool fed = !move.rapid && move.feed > 0;
+    return move.length() / (fed ? std::min(move.feed, fastest) : fastest);
 }
 
 }  // namespace curvecore::ref

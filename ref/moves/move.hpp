@@ -58,6 +58,11 @@ struct Move {
     double length() const;
 };
 
+/// Upper limit of the move's speed, mm/s, without the machine's limits.
+double fastest_motion(const Move& move);
+/// Least time that it takes at no more than a machine's speed, mm/s.
+double least_time(const Move& move, double fastest);
+
 struct Program {
     std::string file;
     std::vector<Move> moves;

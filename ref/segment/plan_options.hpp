@@ -9,6 +9,7 @@
 
 #include "ref/format/parameters.hpp"
 #include "ref/format/queues.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
@@ -61,6 +62,8 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// | effort                 |        | method of planning the feed                                |
 /// | holds                  |        | by stop branches, with an optimum; or by bounds alone      |
 /// | window                 | 1      | moves that are planned at once, 2 at least                 |
+/// | horizon_s              | s      | motion that an optimum plans at once, or twice the time of |
+/// |                        |        | a stop if that is longer; unlimited: what `window` says    |
 /// | advise                 |        | a refusal names a width that suffices: takes many plans    |
 /// | cuts                   |        | of cubics that were cut before; none: they are not kept    |
 struct PlanOptions {
@@ -78,6 +81,7 @@ struct PlanOptions {
     Effort effort = Effort::kOptimum;
     Holds holds = Holds::kBranches;
     std::size_t window = 3000;
+    double horizon_s = kUnlimited;
     std::shared_ptr<KnownCuts> cuts;
 
     bool has_branches() const { return effort == Effort::kOptimum && holds == Holds::kBranches; }

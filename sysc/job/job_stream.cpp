@@ -27,6 +27,8 @@ int aux_axes_of(const ref::Move& move) {
     return axes;
 }
 
+constexpr double kLivePart = 0.5;  // s, of a move at its feed
+
 bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
 
 }  // namespace
@@ -145,7 +147,7 @@ void JobStream::use(const Seen& seen) {
 }
 
 bool JobStream::take(ref::Move& move) {
-    if (!parts_.next(move)) return false;
+    if (!parts_->next(move)) return false;
     ++given_;
     outputs_->add(move, moves_->program().events());
     waits_.add(move, moves_->program().events());
@@ -171,6 +173,11 @@ bool JobStream::take_next(ref::Move& move) {
                               "--set Splines=1");
     }
     return true;
+}
+
+void JobStream::raise(double percent) {
+    if (!plan_) begin();
+    plan_->raise_feed(percent / 100 / job_.options.feed_factor());
 }
 
 const ref::Plan* JobStream::next() {
@@ -209,11 +216,16 @@ void JobStream::begin() {
     }
     ref::PlanOptions options = job_.options.plan_options();
     options.cuts = moves_->cuts();
+    const bool live = job_.options.live;
+    parts_.emplace([this](ref::Move& move) { return take_next(move); }, job_.machine,
+                   live ? kLivePart : ref::kLongestPart);
+    // Bounds of holds are those of the fastest moves that an override may ask for.
+    const double faster = live ? kMostOverride / 100.0 / job_.options.feed_factor() : 1;
     outputs_.emplace(job_.options.rules, job_.options.feed_factor(), job_.options.outputs,
                      job_.options.sample_period_s, job_.program.file);
     job_.plan.made_for(profile_writer(job_));
     plan_.emplace([this](ref::Move& move) { return take(move); },
-                  ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
+                  ref::StreamFrame{job_.program.file, job_.program.aux_axes, faster * fastest_},
                   job_.machine, options);
 }
 

@@ -32,6 +32,10 @@ class JobStream {
     /// Returns the options; the core is fixed, others may be changed before the first part.
     Options& options() { return job_.options; }
 
+    /// Raises the feeds of what follows the next part's begin, with options.live: from here on the
+    /// override is at least so many percent.
+    void raise(double percent);
+
     /// Plans the next part; null: there is none.
     /// @throws UsageError: a sample period shorter than the core's own clocks
     /// @throws ref::InputError of moves not checked before, after all parts up to a rest before
@@ -62,7 +66,7 @@ class JobStream {
     std::optional<ref::SplineForm> form_;
     Job job_;
     std::optional<DrawnMoves> moves_;
-    ref::MoveParts parts_{[this](ref::Move& move) { return take_next(move); }, job_.machine};
+    std::optional<ref::MoveParts> parts_;
     std::vector<ref::Move> first_;  // first moves of standard input, which were checked
     std::size_t taken_ = 0;         // number of these that were taken
     bool splines_ = false;

@@ -7,6 +7,11 @@
 #include "sysc/core/core_clocks.hpp"
 
 namespace curvecore::sysc {
+namespace {
+
+constexpr double kLiveHorizon = 1.5;  // s
+
+}  // namespace
 
 int Options::samples_per_tick_log2() const {
     int n = 0;
@@ -33,6 +38,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.holds = holds;
     plan.segment_queue_words = segment_queue_words;
     plan.profile_queue_words = profile_queue_words;
+    if (live) plan.horizon_s = kLiveHorizon;
     return plan;
 }
 

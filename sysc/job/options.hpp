@@ -18,6 +18,9 @@
 
 namespace curvecore::sysc {
 
+/// Greatest override, percent.
+constexpr int kMostOverride = 200;
+
 /// Kind of the board: the kernel, the Verilated core, or a system in SystemC around one of them.
 enum class BoardKind { kKernel, kRtl, kSystemc, kSystemcRtl };
 constexpr std::array<std::string_view, 4> kBoardNames{"kernel", "rtl", "systemc", "systemc-rtl"};
@@ -51,6 +54,7 @@ struct Options {
     bool aux_axes_set = false;  // true: by --set or --core; false: as the program needs
     bool quiet = false;
     bool for_steps = false;  // for a board that counts steps: words keep every turn of an axis
+    bool live = false;       // planned shortly before it is drawn: feeds may be raised
 
     // Options of `run` alone
     BoardKind board = BoardKind::kRtl;

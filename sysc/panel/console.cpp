@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sysc/cli/usage_error.hpp"
+#include "sysc/job/options.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -57,7 +58,7 @@ void Console::keys(WishQueue& wishes, int percent) {
         if (c == 's') wishes.push({Kind::kStop});
         if (c == 'e') wishes.push({Kind::kEstop});
         if (c == '+' || c == '-') {
-            percent = std::clamp(percent + (c == '+' ? kStep : -kStep), kStep, 100);
+            percent = std::clamp(percent + (c == '+' ? kStep : -kStep), kStep, kMostOverride);
             wishes.push({Kind::kOverride, percent});
         }
     }
@@ -77,7 +78,7 @@ void Console::lines(WishQueue& wishes) {
             continue;
         }
         fmt::print(stderr,
-                   "'{}' is none of: hold, resume, override 1..100, stop, estop; it is left out\n",
+                   "'{}' is none of: hold, resume, override 1..200, stop, estop; it is left out\n",
                    said);
     }
 }

@@ -21,11 +21,11 @@ constexpr double kMostOnCurve = 64;
 
 }  // namespace
 
-void PlannedPath::add(const ref::Plan& part) {
+void PlannedPath::add(const ref::Plan& part, double raised) {
     const std::lock_guard lock(mutex_);
     tick_s_ = part.tick_s;
     quantum_mm_ = part.unit_mm * ref::kQuantum;
-    for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm);
+    for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm, raised);
     for (const ref::ProfilePiece& piece : part.pieces) {
         pieces_.push_back({path_, time_s_, piece});
         path_ += piece.ds;
@@ -33,8 +33,8 @@ void PlannedPath::add(const ref::Plan& part) {
     }
 }
 
-void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
-    stretches_.push_back({segment.s_start + segment.length, segment.line});
+void PlannedPath::add(const ref::Segment& segment, double unit_mm, double raised) {
+    stretches_.push_back({segment.s_start + segment.length, segment.line, raised});
     const double length = static_cast<double>(segment.length) * ref::kQuantum;
     const bool straight = segment.kind() == ref::CurveKind::kArc && segment.arc().radius == 0;
     const double wanted = std::ceil(length * unit_mm / kPointEvery);
@@ -75,7 +75,10 @@ PathPlace PlannedPath::at(std::uint64_t path) {
     const std::lock_guard lock(mutex_);
     forget(path);
     PathPlace place;
-    if (!stretches_.empty()) place.line = stretches_.front().line;
+    if (!stretches_.empty()) {
+        place.line = stretches_.front().line;
+        place.raised = stretches_.front().raised;
+    }
     if (pieces_.empty()) return place;
     const Piece& now = pieces_.front();
     const double gone =
@@ -89,6 +92,11 @@ PathPlace PlannedPath::at(std::uint64_t path) {
 double PlannedPath::time_s() const {
     const std::lock_guard lock(mutex_);
     return time_s_;
+}
+
+double PlannedPath::length_mm() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<double>(path_) * quantum_mm_;
 }
 
 std::string PlannedPath::json(std::size_t from) const {

@@ -17,11 +17,13 @@ struct PathPlace {
     int line = 0;          // of the program
     double time_s = 0;     // at the rate 1, from the program's start
     double feed_mm_s = 0;  // at the rate 1
+    double raised = 1;     // its feed over the program's
 };
 
 class PlannedPath {
   public:
-    void add(const ref::Plan& part);
+    /// @param raised its feeds over the program's
+    void add(const ref::Plan& part, double raised = 1);
     /// Forgets what is before a place, in quanta: it is drawn.
     void pass(std::uint64_t path);
 
@@ -29,6 +31,7 @@ class PlannedPath {
     PathPlace at(std::uint64_t path);
     /// Planned so far.
     double time_s() const;
+    double length_mm() const;
 
     /// Returns the points from a number on as JSON, in mm:
     /// {"thinned":..,"points":[[x,y,z,s,line],..]}. Thinned out, they are numbered anew.
@@ -43,6 +46,7 @@ class PlannedPath {
     struct Stretch {  // of a segment
         std::uint64_t end;
         int line;
+        double raised;
     };
     struct Piece {
         std::uint64_t begin;
@@ -50,7 +54,7 @@ class PlannedPath {
         ref::ProfilePiece piece;
     };
 
-    void add(const ref::Segment& segment, double unit_mm);
+    void add(const ref::Segment& segment, double unit_mm, double raised);
     void forget(std::uint64_t path);
     void thin();
 

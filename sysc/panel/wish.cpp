@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "sysc/job/options.hpp"
+
 namespace curvecore::sysc {
 
 std::optional<Wish> wish_of(const std::string& text) {
@@ -13,7 +15,8 @@ std::optional<Wish> wish_of(const std::string& text) {
     std::string more;
     words >> word;
     int percent = 0;
-    const bool rate = word == "override" && words >> percent && percent >= 1 && percent <= 100;
+    const bool rate =
+        word == "override" && words >> percent && percent >= 1 && percent <= kMostOverride;
     if (words >> more) return std::nullopt;
     if (rate) return Wish{Kind::kOverride, percent};
     if (word == "hold") return Wish{Kind::kHold};

@@ -15,7 +15,7 @@ struct Wish {
     int percent = 0;  // for kOverride
 };
 
-/// Returns the wish of a text: hold, resume, override N (1..100), stop, estop.
+/// Returns the wish of a text: hold, resume, override N (1..200), stop, estop.
 std::optional<Wish> wish_of(const std::string& text);
 
 /// Wishes that wait, from any thread. Of a kind only the last one waits, so that a storm of them

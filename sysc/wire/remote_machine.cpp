@@ -111,9 +111,12 @@ void RemoteMachine::settle(std::uint32_t mask) {
 
 std::uint64_t RemoteMachine::stand() {
     control_ = read(CURVECORE_CONTROL);
+    const std::uint32_t state = read(CURVECORE_STATE);
+    const std::uint64_t path = read(CURVECORE_PATH_LO) | std::uint64_t{read(CURVECORE_PATH_HI)}
+                                                             << 32;
     // At a wait for a person nothing is active.
-    const bool begun = is(CURVECORE_STATE_ACTIVE_MASK) || telemetry().path > 0;
-    if (!is(CURVECORE_STATE_ENABLED_MASK) || !begun) {
+    const bool begun = (state & CURVECORE_STATE_ACTIVE_MASK) != 0 || path > 0;
+    if ((state & CURVECORE_STATE_ENABLED_MASK) == 0 || !begun) {
         throw UsageError("the board has no program under way that it could go on with");
     }
     hold(true);

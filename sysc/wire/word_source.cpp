@@ -12,6 +12,7 @@ namespace {
 
 /// Greatest number of words that wait for the link; planning then waits.
 constexpr std::size_t kMostWords = 200'000;
+constexpr double kPlanning_s = 0.3;  // of motion, which goes on while a part is planned
 
 void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
     all.insert(all.end(), words.begin(), words.end());
@@ -52,13 +53,16 @@ WordSource::~WordSource() {
 
 void WordSource::fill() {
     try {
+        double percent = std::max(100.0, stream_->job().options.override_percent);
         while (const ref::Plan* part = stream_->next()) {
-            add(*part);
+            add(*part, percent / 100);
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [this] {
-                return stop_ || planned_.segments.size() + planned_.pieces.size() < kMostWords;
-            });
+            changed_.wait(lock, [this] { return stop_ || is_due(); });
             if (stop_) return;
+            if (asked_percent_ <= percent) continue;
+            percent = asked_percent_;
+            lock.unlock();
+            stream_->raise(percent);
         }
     } catch (...) {
         failed_ = std::current_exception();
@@ -68,8 +72,29 @@ void WordSource::fill() {
     changed_.notify_all();
 }
 
-void WordSource::add(const ref::Plan& part) {
-    path_.add(part);
+/// Returns true if another part is needed: what is planned and not drawn has to last for a stop, to
+/// begin for two, and until more is planned.
+bool WordSource::is_due() {
+    if (planned_.segments.size() + planned_.pieces.size() >= kMostWords) return false;
+    const double ahead = path_.time_s() - path_.at(drawn_).time_s;
+    return ahead < (moves_ ? 1 : 2) * stop_s_ + kPlanning_s;
+}
+
+void WordSource::follow(std::uint64_t path, bool moves) {
+    const std::lock_guard lock(mutex_);
+    drawn_ = path;
+    moves_ = moves;
+    path_.pass(path);
+    changed_.notify_all();
+}
+
+void WordSource::raise(double percent) {
+    const std::lock_guard lock(mutex_);
+    asked_percent_ = percent;
+}
+
+void WordSource::add(const ref::Plan& part, double raised) {
+    path_.add(part, raised);
     const Options& options = stream_->job().options;
     PlannedWords words;
     if (!segment_words_) {
@@ -110,6 +135,7 @@ void WordSource::add(const ref::Plan& part) {
     planned_.samples += ticks << options.samples_per_tick_log2();
     planned_.path = part.segments.back().s_start + part.segments.back().length;
     planned_.busiest = busiest_;
+    stop_s_ = part.stop_ticks * part.tick_s;
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
     move_to(planned_.waits, words.waits);

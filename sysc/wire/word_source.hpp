@@ -57,6 +57,12 @@ class WordSource {
     int first_wait() const { return stream_->job().first_wait; }
     /// Returns the path, as far as it is planned.
     PlannedPath& path() { return path_; }
+    /// Notes the path that is drawn, quanta, and whether the axes move: plans as far ahead as the
+    /// board needs.
+    void follow(std::uint64_t path, bool moves);
+    /// Raises the feeds of what is not planned yet: from there on the override is at least so many
+    /// percent.
+    void raise(double percent);
     /// Adds the new words to those held and updates the figures of planning.
     /// @throws the error that ended the planning, once its words are taken
     void take(PlannedWords& held);
@@ -65,7 +71,8 @@ class WordSource {
 
   private:
     void fill();
-    void add(const ref::Plan& part);
+    bool is_due();
+    void add(const ref::Plan& part, double raised);
     void count_words(std::size_t words);
     void pass(double time_s);
 
@@ -84,6 +91,10 @@ class WordSource {
     std::optional<BoardSettings> settings_;
     std::array<double, kBoardAxes> start_{};
     std::exception_ptr failed_;
+    std::uint64_t drawn_ = 0;   // quanta
+    bool moves_ = false;        // the axes do
+    double stop_s_ = 0;         // motion that a stop takes
+    double asked_percent_ = 0;  // override
     bool stop_ = false;
     std::thread thread_;  // last member: it uses the others
 };

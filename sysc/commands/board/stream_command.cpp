@@ -99,6 +99,7 @@ int stream_command(StreamOptions& asked) {
         const InterruptGuard guard;
         if (asked.rest) options.from_mm += mm_of(machine.stand(), options);
         options.gcode.obeyed.waits = true;
+        options.live = true;
         WordSource words(options);
         const BoardSettings settings = words.settings();
         if (asked.rest) {
@@ -115,8 +116,7 @@ int stream_command(StreamOptions& asked) {
         machine.begin(settings,
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
         panel->begin(encoders);
-        WireStream stream(machine, words, panel->wishes(),
-                          std::min(options.override_percent / 100, 1.0));
+        WireStream stream(machine, words, panel->wishes(), options.override_percent / 100);
         const WireClock::time_point begin = WireClock::now();
         std::string end = "drawn";
         int exit = 0;

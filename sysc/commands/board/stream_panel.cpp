@@ -25,9 +25,12 @@ constexpr std::size_t kMostLog = 200;  // lines
 StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
                          const std::string& web)
     : parts_(parts), console_(control_file), terminal_(!parts.options.quiet) {
+    if ((terminal_.on() || !web.empty()) && parts.options.file != ref::kStandardInput) {
+        forecast_.emplace(parts.options);
+    }
     if (web.empty()) return;
     page_.emplace(
-        web, [&path = parts.words.path()](std::size_t from) { return path.json(from); }, wishes_);
+        web, [this](std::size_t from) { return path().json(from); }, wishes_);
     const nlohmann::json hello{
         {"program", std::filesystem::path(parts.options.file).filename().string()},
         {"version", CURVECORE_PROGRAM_VERSION}};
@@ -35,6 +38,9 @@ StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
     fmt::print("page: {}\n", page_->address());
     std::fflush(stdout);
 }
+
+/// Returns the whole path, or else what is planned of it for the board.
+PlannedPath& StreamPanel::path() { return forecast_ ? forecast_->path() : parts_.words.path(); }
 
 void StreamPanel::begin(const Encoders& encoders) {
     encoders_ = &encoders;
@@ -116,12 +122,13 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
         status.axes[axis.encoder.axis].following_mm = axis.now_mm;
     }
     status.path_mm = static_cast<double>(stream.path()) * quantum_mm;
-    status.planned_mm = static_cast<double>(planned.path) * quantum_mm;
-    status.all_planned = planned.all;
+    status.planned_mm = path().length_mm();
+    status.all_planned = forecast_ ? forecast_->all() : planned.all;
     status.feed_mm_min = 60 * place.feed_mm_s * now.rate;
     status.rate_percent = 100 * now.rate;
     status.override_percent = stream.override_percent();
-    status.left_s = (parts_.words.path().time_s() - place.time_s) * 100 / status.override_percent;
+    const double left_s = path().time_s() - path().at(stream.path()).time_s;
+    status.left_s = left_s * 100 / status.override_percent;
     status.line = place.line;
     status.queues = {
         {"segments", build.segment_queue_words - now.segment_room, build.segment_queue_words},

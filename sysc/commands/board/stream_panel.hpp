@@ -10,6 +10,7 @@
 #include "sysc/panel/page_server.hpp"
 #include "sysc/panel/panel_status.hpp"
 #include "sysc/panel/terminal_panel.hpp"
+#include "sysc/wire/forecast.hpp"
 #include "sysc/wire/wire_stream.hpp"
 
 namespace curvecore::sysc {
@@ -41,6 +42,7 @@ class StreamPanel {
     std::string lose(const WireStream& stream);
 
   private:
+    PlannedPath& path();
     PanelStatus status(const WireStream& stream);
     std::string state(const WireStream& stream) const;
     void tell_wait(const WireStream& stream);
@@ -51,6 +53,7 @@ class StreamPanel {
     Console console_;
     WishQueue wishes_;
     TerminalPanel terminal_;
+    std::optional<Forecast> forecast_;  // while somebody looks, of a program that is a file
     const Encoders* encoders_ = nullptr;
     std::vector<std::int32_t> begin_;  // steps
     WireClock::time_point shown_;

@@ -192,7 +192,7 @@ void add_override(CLI::App& command, PartOptions& part) {
     add_value(command, "--override", part.options.override_percent, "PERCENT",
               "feed override, 1 to 200: up to 100 time is scaled, above it feeds are planned "
               "higher, as far as limits allow",
-              within(percent, 1, 200, "in [1, 200] percent"))
+              within(percent, 1, kMostOverride, "in [1, 200] percent"))
         ->default_val("100");
 }
 

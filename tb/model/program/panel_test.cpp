@@ -144,7 +144,7 @@ TEST(WishQueue, KeepsTheLastOfAKindAndItsOrder) {
 TEST(WishQueue, UnderstandsTheWordsOfAFile) {
     EXPECT_EQ(sysc::wish_of("override 50")->percent, 50);
     EXPECT_EQ(sysc::wish_of(" hold ")->kind, Kind::kHold);
-    for (const char* text : {"", "holds", "hold 5", "override", "override 0", "override 101",
+    for (const char* text : {"", "holds", "hold 5", "override", "override 0", "override 201",
                              "override 5x", "override -5", "override 50 50", "estop now"}) {
         EXPECT_FALSE(sysc::wish_of(text)) << text;
     }

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs that are planned shortly before they are drawn, so that feeds may be raised meanwhile:
+// the same path, hardly slower, within the limits, and a change is never far.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "ref/feed/pieces/profile_words.hpp"
+#include "ref/program/gcode_stream.hpp"
+#include "sysc/job/job_stream.hpp"
+#include "tb/support/judge/hold_run.hpp"
+#include "tb/support/programs/long_form.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+struct Case {
+    const char* name;
+    double feed;  // mm/min
+    std::string (*moves)();
+};
+
+std::string one_line() { return "G1 X400\n"; }
+
+std::string surface() {
+    std::string text;
+    double x = 0;
+    double way = 0.2;
+    for (int n = 0; n < 2500; ++n) {
+        x += way;
+        const double y = 0.5 * (n / 250);
+        if (n % 250 == 249) way = -way;
+        text += fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}\n", x, y, std::sin(x / 5) * std::cos(y));
+    }
+    return text;
+}
+
+std::string corners() {
+    std::mt19937 random(3);
+    std::string text;
+    for (int n = 0; n < 120; ++n) {
+        text +=
+            fmt::format("{} X{} Y{}\n", n % 20 == 7 ? "G0" : "G1", random() % 60, random() % 60);
+    }
+    return text;
+}
+
+std::string arcs() {
+    std::string text;
+    for (int n = 0; n < 12; ++n)
+        text += fmt::format("G2 X{} Y0 I15 J0\nG3 X{} I10\n", 30 * n, 30 * n);
+    return text;
+}
+
+class LivePlan : public testing::TestWithParam<Case> {
+  protected:
+    struct Planned {
+        ref::Plan plan;
+        std::vector<double> parts;  // s
+    };
+
+    /// Plans the program; `percent` gives the override before each part.
+    static Planned plan(bool live, const std::function<double(double)>& percent = {}) {
+        const std::string text =
+            fmt::format("G90 G64 P0.01 F{}\n", GetParam().feed) + GetParam().moves() + "M2\n";
+        std::istringstream stream(text);
+        ref::GcodeStream gcode(stream, "t.ngc", {});
+        sysc::Options options;
+        options.program = std::make_shared<ref::HeldProgram>(
+            ref::HeldProgram{ref::read_all(gcode, "t.ngc"), gcode.events(), {}});
+        options.live = live;
+        sysc::JobStream job(options);
+        Planned all;
+        double time = 0;
+        for (;;) {
+            if (percent) job.raise(percent(time));
+            const ref::Plan* part = job.next();
+            if (part == nullptr) return all;
+            time += part->duration_s;
+            all.parts.push_back(part->duration_s);
+            append(*part, all.plan);
+        }
+    }
+
+    static void append(const ref::Plan& part, ref::Plan& plan) {
+        if (plan.pieces.empty()) {
+            plan = part;
+            return;
+        }
+        for (ref::PlannedBranch branch : part.branches) {
+            branch.piece += plan.pieces.size();
+            plan.branches.push_back(std::move(branch));
+        }
+        plan.duration_s += part.duration_s;
+        plan.segments.insert(plan.segments.end(), part.segments.begin(), part.segments.end());
+        plan.pieces.insert(plan.pieces.end(), part.pieces.begin(), part.pieces.end());
+    }
+
+    static std::uint64_t length(const ref::Plan& plan) {
+        return plan.segments.back().s_start + plan.segments.back().length;
+    }
+};
+
+TEST_P(LivePlan, IsHardlySlowerInShortParts) {
+    const Planned whole = plan(false);
+    const Planned live = plan(true);
+    EXPECT_NEAR(static_cast<double>(length(live.plan)), static_cast<double>(length(whole.plan)),
+                static_cast<double>(live.plan.segments.size()));
+    EXPECT_LT(live.plan.duration_s, 1.04 * whole.plan.duration_s);
+    const double longest = *std::max_element(live.parts.begin(), live.parts.end());
+    std::cout << fmt::format(
+        "{}: {:.3f} s, planned at once {:.3f} s; {} parts, the longest {:.3f} s\n", GetParam().name,
+        live.plan.duration_s, whole.plan.duration_s, live.parts.size(), longest);
+    EXPECT_LT(longest, 1.5);
+}
+
+TEST_P(LivePlan, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
+    const int runs = cases(2, 100);
+    for (int seed = 1; seed <= runs; ++seed) {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        double most = 100;
+        const Planned live = plan(true, [&](double) {
+            if (random() % 3 == 0) most = 100 + random() % 101;
+            return most;
+        });
+        HoldRun run(live.plan, ref::Machine{});
+        std::int32_t target = 1 << 16;
+        while (run.active()) {
+            if (random() % 3000 == 0) target = static_cast<std::int32_t>(random() % 65537);
+            if (target < 6000 && random() % 500 == 0) target = 1 << 16;
+            run.tick(target);
+        }
+        const sysc::LimitLoads loads = run.finish();
+        EXPECT_LE(loads.most(), 1) << seed;
+    }
+}
+
+TEST_P(LivePlan, IsFasterBehindTheRaise) {
+    const Planned before = plan(true);
+    const Planned raised = plan(true, [](double time) { return time > 1 ? 200 : 100; });
+    EXPECT_EQ(raised.parts[0], before.parts[0]);
+    EXPECT_LT(raised.plan.duration_s, 0.9 * before.plan.duration_s);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LivePlan,
+                         testing::Values(Case{"Line", 3000, one_line},
+                                         Case{"Surface", 3000, surface},
+                                         Case{"Corners", 2000, corners}, Case{"Arcs", 6000, arcs}),
+                         [](const auto& form) { return std::string(form.param.name); });
+
+}  // namespace
+}  // namespace curvecore::tb
