@@ -141,7 +141,7 @@ void PlanStream::read(std::size_t size) {
     const auto is_full = [&] {
         const std::size_t moves = program_.moves.size() + next_.size();
         return moves > size || (moves > kFew && length > kLongMove * static_cast<double>(size)) ||
-               pace_ * time > kAmple * horizon_;
+               (moves >= begun_moves_ + kFewest && pace_ * time > kAmple * horizon_);
     };
     try {
         while (more_ && !is_full()) {

@@ -13,8 +13,7 @@ namespace {
 constexpr double kLongestTurningTime = 10;  // s, of an arc at the machine's speed: bounds knots
 
 int parts_of(const Move& move, const Machine& machine, double longest) {
-    double parts = 1;
-    if (!move.rapid && move.feed > 0) parts = move.length() / move.feed / longest;
+    double parts = least_time(move, machine.velocity) / longest;
     if (move.kind == Move::Kind::kArc) {
         const PathShape shape = path_shape(move);
         const double time = shape.length / top_speed(shape, machine);

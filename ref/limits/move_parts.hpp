@@ -9,12 +9,12 @@ namespace curvecore::ref {
 
 constexpr double kLongestPart = 200;  // s: bounds pieces and stop branches in memory
 
-/// Gives the moves of a source; a move that takes longer than a part at its feed, or an arc that
-/// takes more than 10 s at the machine's speed there, in even parts.
+/// Gives the moves of a source; a move that takes longer than a part, or an arc that takes more
+/// than 10 s at the machine's speed there, in even parts.
 class MoveParts {
   public:
     /// @param machine outlives it
-    /// @param longest of a part at its feed, s
+    /// @param longest least time of a part, s
     MoveParts(MoveSource source, const Machine& machine, double longest = kLongestPart)
         : source_(std::move(source)), machine_(machine), longest_(longest) {}
 

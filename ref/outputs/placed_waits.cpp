@@ -80,6 +80,7 @@ void PlacedWaits::end(Plan& part, Segment& segment) {
         path_ += part.pieces[piece_].ds;
         piece_ticks_ += part.pieces[piece_].ticks;
     }
+    if (path_ != place) throw std::logic_error("a wait where the axes do not rest");
     for (const Wait& wait : waits_) {
         if (wait.behind != waits_.front().behind) break;
         rest_ticks_ = rest_ticks(wait.rest, part.tick_s);

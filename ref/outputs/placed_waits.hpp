@@ -2,7 +2,8 @@
 // Waits of a program for a person, at places of its plan: M0, M6 and M60.
 //
 // The board draws up to a wait as if the program ended there, and begins the rest as another one.
-// Dwells that the program asks for before a wait are before it, and those behind are behind.
+// Dwells that the program asks for before a wait are before it, and those behind are behind; of
+// several waits at one place, those between are before all of them.
 #pragma once
 
 #include <deque>

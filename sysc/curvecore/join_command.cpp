@@ -43,6 +43,7 @@ Program working_path(const std::string& name, bool before, const Options& option
     Program program = ref::read_program(name, {}, options.open_program, options.gcode);
     program = before ? ref::until_last_working_move(std::move(program))
                      : ref::from_first_working_move(std::move(program));
+    if (program.moves.front().length() == 0) program.moves.erase(program.moves.begin());  // a dwell
     for (const ref::Move& move : program.moves) {
         const std::string beyond = ref::beyond_travel(ref::travel(move), move, machine);
         if (!beyond.empty()) throw ref::InputError(name, move.line, beyond);

@@ -114,11 +114,14 @@ void JobStream::look_at_drawn() {
     job_.program.file = moves.program().file();
     Seen seen;
     ref::SegmentBatches looker = batches(job_);
+    double length = 0;
     for (ref::Move move; read(moves, move);) {
         seen.add(move);
         looker.add(move);
+        length = move.to;
     }
     looker.look();
+    job_.first_wait = ref::first_wait(moves.program().events(), length);
     use(seen);
 }
 

@@ -201,7 +201,7 @@ void write_stop(const char* code) {
 }  // namespace
 
 void SELECT_TOOL(int tool) {
-    write_left_out("T");
+    write_left_out("T", tool);
     next(SELECT_TOOL)(tool);
 }
 
@@ -266,22 +266,22 @@ void FLOOD_OFF() {
 }
 
 void SET_MOTION_OUTPUT_BIT(int index) {
-    write_left_out("M62");
+    write_left_out("M62", index);
     next(SET_MOTION_OUTPUT_BIT)(index);
 }
 
 void CLEAR_MOTION_OUTPUT_BIT(int index) {
-    write_left_out("M63");
+    write_left_out("M63", index);
     next(CLEAR_MOTION_OUTPUT_BIT)(index);
 }
 
 void SET_AUX_OUTPUT_BIT(int index) {
-    write_left_out("M64");
+    write_left_out("M64", index);
     next(SET_AUX_OUTPUT_BIT)(index);
 }
 
 void CLEAR_AUX_OUTPUT_BIT(int index) {
-    write_left_out("M65");
+    write_left_out("M65", index);
     next(CLEAR_AUX_OUTPUT_BIT)(index);
 }
 

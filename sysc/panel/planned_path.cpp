@@ -21,11 +21,11 @@ constexpr double kMostOnCurve = 64;
 
 }  // namespace
 
-void PlannedPath::add(const ref::Plan& part, double raised) {
+void PlannedPath::add(const ref::Plan& part) {
     const std::lock_guard lock(mutex_);
     tick_s_ = part.tick_s;
     quantum_mm_ = part.unit_mm * ref::kQuantum;
-    for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm, raised);
+    for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm);
     for (const ref::ProfilePiece& piece : part.pieces) {
         pieces_.push_back({path_, time_s_, piece});
         path_ += piece.ds;
@@ -33,8 +33,8 @@ void PlannedPath::add(const ref::Plan& part, double raised) {
     }
 }
 
-void PlannedPath::add(const ref::Segment& segment, double unit_mm, double raised) {
-    stretches_.push_back({segment.s_start + segment.length, segment.line, raised});
+void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
+    stretches_.push_back({segment.s_start + segment.length, segment.line});
     const double length = static_cast<double>(segment.length) * ref::kQuantum;
     const bool straight = segment.kind() == ref::CurveKind::kArc && segment.arc().radius == 0;
     const double wanted = std::ceil(length * unit_mm / kPointEvery);
@@ -75,15 +75,13 @@ PathPlace PlannedPath::at(std::uint64_t path) {
     const std::lock_guard lock(mutex_);
     forget(path);
     PathPlace place;
-    if (!stretches_.empty()) {
-        place.line = stretches_.front().line;
-        place.raised = stretches_.front().raised;
-    }
+    if (!stretches_.empty()) place.line = stretches_.front().line;
     if (pieces_.empty()) return place;
     const Piece& now = pieces_.front();
     const double gone =
         std::min(static_cast<double>(path - now.begin), static_cast<double>(now.piece.ds));
-    const double ticks = ref::ticks_at(now.piece, gone);
+    const bool rests = now.piece.ds == 0;  // counts as passed
+    const double ticks = rests ? now.piece.ticks : ref::ticks_at(now.piece, gone);
     place.time_s = now.time_s + ticks * tick_s_;
     place.feed_mm_s = ref::piece_state(now.piece, ticks).v * quantum_mm_ / tick_s_;
     return place;

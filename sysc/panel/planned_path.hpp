@@ -17,13 +17,11 @@ struct PathPlace {
     int line = 0;          // of the program
     double time_s = 0;     // at the rate 1, from the program's start
     double feed_mm_s = 0;  // at the rate 1
-    double raised = 1;     // its feed over the program's
 };
 
 class PlannedPath {
   public:
-    /// @param raised its feeds over the program's
-    void add(const ref::Plan& part, double raised = 1);
+    void add(const ref::Plan& part);
     /// Forgets what is before a place, in quanta: it is drawn.
     void pass(std::uint64_t path);
 
@@ -46,7 +44,6 @@ class PlannedPath {
     struct Stretch {  // of a segment
         std::uint64_t end;
         int line;
-        double raised;
     };
     struct Piece {
         std::uint64_t begin;
@@ -54,7 +51,7 @@ class PlannedPath {
         ref::ProfilePiece piece;
     };
 
-    void add(const ref::Segment& segment, double unit_mm, double raised);
+    void add(const ref::Segment& segment, double unit_mm);
     void forget(std::uint64_t path);
     void thin();
 

@@ -75,7 +75,7 @@ void WireStream::look() {
     path_ = std::max(path_, machine_.telemetry().path);
     words_.follow(path_, machine_.is(CURVECORE_STATE_ACTIVE_MASK) &&
                              !machine_.is(CURVECORE_STATE_STANDING_MASK));
-    if (words_.path().at(path_).raised != raised_) set_rate(wished_rate_);
+    if (words_.raised() != raised_) set_rate(wished_rate_);
     faults_ = (faults_ & CURVECORE_FAULTS) |
               (machine_.telemetry().state & (CURVECORE_FAULTS | CURVECORE_STATE_FAULT_AXIS_MASK));
     if ((faults_ & kOff) != 0) faults_ &= ~CURVECORE_STATE_BUS_MASK;
@@ -106,7 +106,7 @@ void WireStream::keep_to_link() {
 void WireStream::set_rate(double wished) {
     wished_rate_ = wished;
     words_.raise(100 * wished);
-    raised_ = words_.path().at(path_).raised;
+    raised_ = words_.raised();
     const double rate = std::min(wished_rate_ / raised_, link_rate_);
     machine_.set_override(std::clamp(static_cast<int>(std::lround(rate * 65536)), 1, 65536));
 }

@@ -62,7 +62,7 @@ class WireStream {
     PlannedWords planned_;
     double wished_rate_;
     double link_rate_ = 1;
-    double raised_ = 1;  // feeds of the plan over the program's, where the board draws
+    double raised_ = 1;  // WordSource::raised()
     std::uint64_t path_ = 0;
     RemoteMachine::WordCounts pushed_;
     std::uint32_t faults_ = 0;

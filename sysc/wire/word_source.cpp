@@ -2,6 +2,7 @@
 #include "sysc/wire/word_source.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +13,10 @@ namespace {
 
 /// Greatest number of words that wait for the link; planning then waits.
 constexpr std::size_t kMostWords = 200'000;
-constexpr double kPlanning_s = 0.3;  // of motion, which goes on while a part is planned
+// Motion that is left when the next part is planned: what a stop takes, and this besides.
+constexpr double kSpare_s = 0.3;
+constexpr double kPlannings = 3;  // times of planning a part
+constexpr double kForgets = 0.9;  // share of the longest of these that the next part leaves
 
 void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
     all.insert(all.end(), words.begin(), words.end());
@@ -54,9 +58,15 @@ WordSource::~WordSource() {
 void WordSource::fill() {
     try {
         double percent = std::max(100.0, stream_->job().options.override_percent);
-        while (const ref::Plan* part = stream_->next()) {
-            add(*part, percent / 100);
+        for (;;) {
+            const auto begin = std::chrono::steady_clock::now();
+            const ref::Plan* part = stream_->next();
+            if (part == nullptr) break;
+            add(*part);
+            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
             std::unique_lock lock(mutex_);
+            raised_ = percent / 100;
+            planning_s_ = std::max(took.count(), kForgets * planning_s_);
             changed_.wait(lock, [this] { return stop_ || is_due(); });
             if (stop_) return;
             if (asked_percent_ <= percent) continue;
@@ -77,7 +87,7 @@ void WordSource::fill() {
 bool WordSource::is_due() {
     if (planned_.segments.size() + planned_.pieces.size() >= kMostWords) return false;
     const double ahead = path_.time_s() - path_.at(drawn_).time_s;
-    return ahead < (moves_ ? 1 : 2) * stop_s_ + kPlanning_s;
+    return ahead < (moves_ ? 1 : 2) * stop_s_ + kSpare_s + kPlannings * planning_s_;
 }
 
 void WordSource::follow(std::uint64_t path, bool moves) {
@@ -88,13 +98,18 @@ void WordSource::follow(std::uint64_t path, bool moves) {
     changed_.notify_all();
 }
 
+double WordSource::raised() {
+    const std::lock_guard lock(mutex_);
+    return raised_;
+}
+
 void WordSource::raise(double percent) {
     const std::lock_guard lock(mutex_);
     asked_percent_ = percent;
 }
 
-void WordSource::add(const ref::Plan& part, double raised) {
-    path_.add(part, raised);
+void WordSource::add(const ref::Plan& part) {
+    path_.add(part);
     const Options& options = stream_->job().options;
     PlannedWords words;
     if (!segment_words_) {

@@ -63,6 +63,8 @@ class WordSource {
     /// Raises the feeds of what is not planned yet: from there on the override is at least so many
     /// percent.
     void raise(double percent);
+    /// Returns the greatest ratio of planned feeds to those of the program.
+    double raised();
     /// Adds the new words to those held and updates the figures of planning.
     /// @throws the error that ended the planning, once its words are taken
     void take(PlannedWords& held);
@@ -72,7 +74,7 @@ class WordSource {
   private:
     void fill();
     bool is_due();
-    void add(const ref::Plan& part, double raised);
+    void add(const ref::Plan& part);
     void count_words(std::size_t words);
     void pass(double time_s);
 
@@ -94,7 +96,9 @@ class WordSource {
     std::uint64_t drawn_ = 0;   // quanta
     bool moves_ = false;        // the axes do
     double stop_s_ = 0;         // motion that a stop takes
+    double planning_s_ = 0;     // time that a part takes to be planned
     double asked_percent_ = 0;  // override
+    double raised_ = 1;
     bool stop_ = false;
     std::thread thread_;  // last member: it uses the others
 };

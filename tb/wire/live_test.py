@@ -61,7 +61,7 @@ class LiveTest(unittest.TestCase):
                 self.wishes.write_text("", encoding="ascii")
                 drawn = self.draw(build, [(5, "override 150"), (72, "override 100")])
                 self.check_speed(drawn, 1, 4, FEED)
-                # What was given out is at most 2.5 s of motion, and then it is faster.
+                # What was given out is some 2.5 s of motion, and then it is faster.
                 self.check_speed(drawn, 58, 70, 1.5 * FEED)
                 self.check_speed(drawn, 94, 106, FEED)
 

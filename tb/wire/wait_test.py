@@ -15,6 +15,7 @@ PART = """G21 G90 G64 P0.01
 M8
 T1 M6
 M3 S500
+G4 P0.1
 G1 X20 F2400
 M5
 G4 P0.2
@@ -29,8 +30,8 @@ X10
 M0
 M2
 """
-WAITS = [(3, "0.000", "M6 T1"), (8, "20.000", "M6 T2"), (12, "30.000", "M0"),
-         (14, "30.000", "M60")]
+WAITS = [(3, "0.000", "M6 T1"), (9, "20.000", "M6 T2"), (13, "30.000", "M0"),
+         (15, "30.000", "M60")]
 END = (10, 10, 0)
 SPINDLE, FLOOD = "0", "3"  # in outputs.csv
 MESSAGE = re.compile(r"part\.ngc:(\d+): waits at (\d+\.\d+) mm: (.*); resume goes on\n")
@@ -95,7 +96,7 @@ class WaitTest(unittest.TestCase):
         spindle = self.switched(SPINDLE)
         self.assertEqual([level for _, level in spindle], ["1", "0", "1", "0"])
         (on, _), (off, _), (again, _), _ = spindle
-        self.assertLess(on, steps[0][0])
+        self.assertGreater(steps[0][0] - on, 0.1 * clock_hz, "the dwell is behind M3")
         self.assertGreater(again - off, 0.2 * clock_hz, "the dwell is before the wait")
         self.assertLess(abs(off - last_x), 0.01 * clock_hz)
         self.assertGreater(first_y - again, 0.3 * clock_hz, "the dwell is behind the wait")
@@ -131,7 +132,7 @@ class WaitTest(unittest.TestCase):
         host.communicate()
         self.wishes.write_text("", encoding="ascii")
         host = self.stream(board, "--control", self.wishes, "--rest", "-q")
-        self.see_waits(host, [(8, "0.000", "M6 T2"), (12, "10.000", "M0"), (14, "10.000", "M60")])
+        self.see_waits(host, [(9, "0.000", "M6 T2"), (13, "10.000", "M0"), (15, "10.000", "M60")])
         self.assertEqual(self.end(host, 0), "")
         self.assertEqual(counts(board.end()), [STEPS_PER_MM * mm for mm in END])
 

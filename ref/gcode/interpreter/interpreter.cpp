@@ -56,6 +56,7 @@ bool Interpreter::execute(Block block, const Place& place) {
     if (end) {
         check_nothing_waits(place);
         moves_.stop();
+        if (!ends_program(*end)) moves_.leave_out(fmt::format("M{}", *end), place);
     }
     return !end || !ends_program(*end);
 }
@@ -111,7 +112,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         moves_.leave_out("T", place, selected_tool_);
     }
     for (const int code : block.m) {
-        if (ends_program(code)) continue;
+        if (code == codes.of(Group::kStop)) continue;  // behind the block's move
         const bool analog = code == 67 || code == 68;
         const bool digital = code >= 62 && code <= 66;
         double value = 0;

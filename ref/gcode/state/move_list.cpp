@@ -50,6 +50,14 @@ void MoveList::append(const Move& move) {
             program_.aux_axes = std::max(program_.aux_axes, i + 1);
         }
     }
+    if (program_.moves.empty() && first_.dwell > 0) {
+        first_.start = first_.end = move.start;
+        first_.aux_start = first_.aux_end = move.aux_start;
+        first_.rapid = move.rapid;
+        first_.feed = move.feed;
+        first_.exact_stop = true;
+        program_.moves.push_back(std::exchange(first_, {}));
+    }
     program_.moves.push_back(move);
     program_.moves.back().from = length_;
     length_ += move.length();
@@ -84,7 +92,8 @@ void MoveList::stop() {
 
 void MoveList::dwell(double seconds, const Place& place) {
     if (program_.moves.empty()) {
-        warn("a dwell before the first move is left out", place);
+        first_.dwell += seconds;
+        if (first_.line == 0) first_.line = place.line;
         return;
     }
     stop();
@@ -97,7 +106,7 @@ void MoveList::warn(const std::string& text, const Place& place) {
 
 void MoveList::leave_out(const std::string& code, const Place& place, double value,
                          bool along_path) {
-    const double rest = program_.moves.empty() ? 0 : program_.moves.back().dwell;
+    const double rest = program_.moves.empty() ? first_.dwell : program_.moves.back().dwell;
     const bool waits = obeys_.waits && waits_for_person(code);
     events_.add(code, {place.line, 0, value, length_, rest, waits});
     if (waits || (obeys_.waits && code == "T")) return;

@@ -32,7 +32,7 @@ class MoveList {
                                 const Place& place);
     /// Stops behind the last move.
     void stop();
-    /// Rests behind the last move; before the first one it is left out, with a warning.
+    /// Rests behind the last move; before the first one, behind a move of no length.
     void dwell(double seconds, const Place& place);
     void warn(const std::string& text, const Place& place);
     /// Obeys these codes: no warning names them.
@@ -70,6 +70,7 @@ class MoveList {
     void warn_of_left_out();
 
     Program program_;
+    Move first_;  // of no length, for a dwell before the first move
     Events events_;
     Obeyed obeys_;
     std::map<std::string, Warning> warnings_;

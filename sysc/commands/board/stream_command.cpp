@@ -138,9 +138,13 @@ int stream_command(StreamOptions& asked) {
             stream.stop();
             end = "stopped";
             exit = 130;
+        } catch (...) {  // of planning
+            stream.stop();
+            machine.disable();
+            machine.finish();
+            throw;
         }
         panel->end(stream, end);
-        panel.reset();
         const double seconds = std::chrono::duration<double>(WireClock::now() - begin).count();
         const std::vector<std::int32_t> steps = machine.steps();
         const std::vector<Following> following = encoders.following();
@@ -148,6 +152,7 @@ int stream_command(StreamOptions& asked) {
         if (!astray.empty()) exit = 1;
         machine.disable();
         machine.finish();
+        panel.reset();
         if (!options.folder.empty()) {
             OutputFolder folder(options.folder);
             folder.write(

@@ -128,7 +128,8 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
     status.rate_percent = 100 * now.rate;
     status.override_percent = stream.override_percent();
     const double left_s = path().time_s() - path().at(stream.path()).time_s;
-    status.left_s = left_s * 100 / status.override_percent;
+    const double raised = forecast_ ? 1 : parts_.words.raised();
+    status.left_s = left_s * raised * 100 / status.override_percent;
     status.line = place.line;
     status.queues = {
         {"segments", build.segment_queue_words - now.segment_room, build.segment_queue_words},

@@ -11,6 +11,7 @@
 #include "ref/feed/pieces/profile_words.hpp"
 #include "ref/program/gcode_stream.hpp"
 #include "sysc/job/job_stream.hpp"
+#include "sysc/panel/planned_path.hpp"
 #include "tb/support/judge/hold_run.hpp"
 #include "tb/support/programs/long_form.hpp"
 
@@ -55,7 +56,17 @@ std::string arcs() {
     return text;
 }
 
-class LivePlan : public testing::TestWithParam<Case> {
+sysc::Options live_options(const std::string& text) {
+    std::istringstream stream(text);
+    ref::GcodeStream gcode(stream, "t.ngc", {});
+    sysc::Options options;
+    options.program = std::make_shared<ref::HeldProgram>(
+        ref::HeldProgram{ref::read_all(gcode, "t.ngc"), gcode.events(), {}});
+    options.live = true;
+    return options;
+}
+
+class LivePlanOf : public testing::TestWithParam<Case> {
   protected:
     struct Planned {
         ref::Plan plan;
@@ -64,13 +75,8 @@ class LivePlan : public testing::TestWithParam<Case> {
 
     /// Plans the program; `percent` gives the override before each part.
     static Planned plan(bool live, const std::function<double(double)>& percent = {}) {
-        const std::string text =
-            fmt::format("G90 G64 P0.01 F{}\n", GetParam().feed) + GetParam().moves() + "M2\n";
-        std::istringstream stream(text);
-        ref::GcodeStream gcode(stream, "t.ngc", {});
-        sysc::Options options;
-        options.program = std::make_shared<ref::HeldProgram>(
-            ref::HeldProgram{ref::read_all(gcode, "t.ngc"), gcode.events(), {}});
+        sysc::Options options = live_options(fmt::format("G90 G64 P0.01 F{}\n", GetParam().feed) +
+                                             GetParam().moves() + "M2\n");
         options.live = live;
         sysc::JobStream job(options);
         Planned all;
@@ -104,7 +110,7 @@ class LivePlan : public testing::TestWithParam<Case> {
     }
 };
 
-TEST_P(LivePlan, IsHardlySlowerInShortParts) {
+TEST_P(LivePlanOf, IsHardlySlowerInShortParts) {
     const Planned whole = plan(false);
     const Planned live = plan(true);
     EXPECT_NEAR(static_cast<double>(length(live.plan)), static_cast<double>(length(whole.plan)),
@@ -117,7 +123,7 @@ TEST_P(LivePlan, IsHardlySlowerInShortParts) {
     EXPECT_LT(longest, 1.5);
 }
 
-TEST_P(LivePlan, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
+TEST_P(LivePlanOf, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
     const int runs = cases(2, 100);
     for (int seed = 1; seed <= runs; ++seed) {
         std::mt19937 random(static_cast<unsigned>(seed));
@@ -138,14 +144,47 @@ TEST_P(LivePlan, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
     }
 }
 
-TEST_P(LivePlan, IsFasterBehindTheRaise) {
+TEST_P(LivePlanOf, IsFasterBehindTheRaise) {
     const Planned before = plan(true);
     const Planned raised = plan(true, [](double time) { return time > 1 ? 200 : 100; });
     EXPECT_EQ(raised.parts[0], before.parts[0]);
     EXPECT_LT(raised.plan.duration_s, 0.9 * before.plan.duration_s);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, LivePlan,
+/// Moves that take longer than a window, by the machine's speed: neither a refusal nor a stop.
+TEST(LivePlan, OfASlowMachineDoesNotStopOnALine) {
+    ref::Machine machine;
+    machine.velocity = 12;
+    machine.acceleration = 100;
+    machine.jerk = 2000;
+    for (const char* text : {"G0 X100\nG1 X300 F3000\nM2\n", "G1 X1 F3000\nG1 X200\nM2\n"}) {
+        sysc::Options options = live_options(text);
+        double seconds[2] = {};
+        for (const bool live : {true, false}) {
+            options.live = live;
+            sysc::JobStream job(options, machine);
+            while (const ref::Plan* part = job.next()) seconds[live] += part->duration_s;
+        }
+        EXPECT_LT(seconds[1], 1.02 * seconds[0]) << text;
+    }
+}
+
+/// Time that is left at a program's last place is 0, also where it rests there: else stream waits.
+TEST(LivePlan, NothingIsLeftBehindALastDwell) {
+    sysc::Options options = live_options("G1 X5 F600\nG4 P9\nM2\n");
+    options.holds = ref::Holds::kBounds;
+    sysc::JobStream job(options);
+    sysc::PlannedPath path;
+    std::uint64_t end = 0;
+    while (const ref::Plan* part = job.next()) {
+        path.add(*part);
+        end = part->segments.back().s_start + part->segments.back().length;
+    }
+    EXPECT_GT(path.time_s(), 9);
+    EXPECT_EQ(path.at(end).time_s, path.time_s());
+}
+
+INSTANTIATE_TEST_SUITE_P(Form, LivePlanOf,
                          testing::Values(Case{"Line", 3000, one_line},
                                          Case{"Surface", 3000, surface},
                                          Case{"Corners", 2000, corners}, Case{"Arcs", 6000, arcs}),

@@ -247,10 +247,12 @@ TEST(GcodeReader, StopsAreWhereTheProgramAsksForThem) {
 
 TEST(GcodeReader, DwellsAddUpAtTheMoveBefore) {
     const Program program = read("G4 P9\nF600 G1 X1\nG4 P0.5\nG4 P0.25\nX2");
-    EXPECT_EQ(program.moves[0].dwell, 0.75);
-    EXPECT_EQ(program.moves[1].dwell, 0);
-    EXPECT_EQ(program.warnings.front(),
-              "part.ngc:1: warning: a dwell before the first move is left out");
+    ASSERT_EQ(program.moves.size(), 3U);
+    EXPECT_EQ(program.moves[0].dwell, 9);
+    EXPECT_EQ(program.moves[0].length(), 0);
+    EXPECT_EQ(program.moves[0].line, 1);
+    EXPECT_EQ(program.moves[1].dwell, 0.75);
+    EXPECT_EQ(program.moves[2].dwell, 0);
 }
 
 TEST(GcodeReader, MovesOfLengthZeroAreLeftOutAndCounted) {
@@ -293,7 +295,7 @@ TEST(GcodeReader, WhatIsLeftOutIsSaidOnce) {
     EXPECT_EQ(warnings("M8\nF600 G1 X1\nM8 X2\nX3\nM8\nM8\nM8\nM30"),
               Warnings{begin + "M8 in lines 1, 3, 5 and 2 more"});
     EXPECT_EQ(warnings("F600 G1 X1\nM2"), Warnings{});
-    EXPECT_EQ(warnings("G4 P0.1\nM8\nF600 G1 X1").size(), 2U) << "others stay";
+    EXPECT_EQ(warnings("M8\nF600 G1 X1\nX1").size(), 2U) << "others stay";
 }
 
 /// Moves of different S are one path: reported where the path continues, not where it stops

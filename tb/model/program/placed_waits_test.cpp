@@ -125,6 +125,12 @@ TEST(PlacedWaits, ComeWhereTheProgramAsksForThem) {
               (std::vector<std::string>{"8 M6 T4 0.000", "9 M60 0.000"}));
 }
 
+TEST(PlacedWaits, InABlockWithAMoveComeBehindIt) {
+    const Drawn drawn = plan("G61\nG1 X10 F600\nG1 X20 M0\nG1 X30\nG0 Z5 M60\nG1 X40\nM2\n", true);
+    EXPECT_EQ(said(drawn), (std::vector<std::string>{"3 M0 20.000", "5 M60 35.000"}));
+    EXPECT_EQ(drawn.programs, 3);
+}
+
 TEST(PlacedWaits, DwellsBeforeAWaitAreBeforeItAndOthersBehind) {
     for (const double before : {0.0, 0.2}) {
         for (const double behind : {0.0, 0.3}) {
@@ -148,6 +154,17 @@ TEST(PlacedWaits, OutputsBehindAWaitBelongToTheNextProgram) {
         EXPECT_EQ(output.place % 65536, 0U);
     }
     EXPECT_EQ(seen, (std::vector<std::pair<double, int>>{{1, 0}, {0, 0}, {1, 1}, {9, 2}, {0, 2}}));
+}
+
+TEST(PlacedWaits, ADwellBeforeTheFirstMoveIsBehindAWaitAtTheStart) {
+    const Drawn plain = plan("G64 P0.01\nG1 X10 F600\nG1 X10 Y5\nM2\n", true);
+    const Drawn drawn = plan("G64 P0.01\nT1 M6\nM3\nG4 P2\nG1 X10 F600\nG1 X10 Y5\nM2\n", true);
+    EXPECT_EQ(drawn.path, plain.path);
+    EXPECT_EQ(drawn.ticks, plain.ticks + 20000);
+    EXPECT_EQ(said(drawn), (std::vector<std::string>{"2 M6 T1 0.000"}));
+    ASSERT_FALSE(drawn.outputs.empty());
+    EXPECT_EQ(drawn.outputs.front().place, 0U);
+    EXPECT_EQ(drawn.outputs.front().waits, 1);
 }
 
 /// Random programs: waits at the ends of parts, at dwells, at both.
