@@ -78,8 +78,9 @@ std::string flaw(const Move& move) {
             return "a number is not finite";
         }
     }
+    const bool rests = move.dwell > 0 && move.kind == Move::Kind::kLine;  // before the first move
     if (!move.start.allFinite() || !move.end.allFinite() || !move.centre.allFinite() ||
-        !move.normal.allFinite() || !(move.length() > 0)) {
+        !move.normal.allFinite() || !(move.length() > 0 || rests)) {
         return "a vector is not finite or the length is 0";
     }
     if (move.rapid ? move.feed != 0 : !(move.feed > 0)) {
