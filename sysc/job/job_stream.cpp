@@ -27,7 +27,7 @@ int aux_axes_of(const ref::Move& move) {
     return axes;
 }
 
-constexpr double kLivePart = 0.5;  // s, of a move at its feed
+constexpr double kLivePart = 0.5;  // s, least time of a part of a move
 
 bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
 

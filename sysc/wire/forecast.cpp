@@ -2,7 +2,6 @@
 #include "sysc/wire/forecast.hpp"
 
 #include <exception>
-#include <utility>
 
 #include "sysc/job/job_stream.hpp"
 

@@ -1,50 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """An override above 100 % while a program is drawn: another plan from the first open move on."""
 
-import pathlib
-import subprocess
-import tempfile
 import unittest
 
-from wire_parts import CURVECORE, QUANTA_PER_MM, STEPS_PER_MM, Board, counts, read, report_of, until
+from wire_parts import QUANTA_PER_MM, STEPS_PER_MM, WishTest, counts, read, report_of, until
 
 PATH_LO, PATH_HI = 0x60, 0x64
 FEED = 20  # mm/s
 LENGTH = 110  # mm
 
 
-class LiveTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.part = self.folder / "part.ngc"
-        self.part.write_text(f"G21 G90\nG1 X{LENGTH} F{60 * FEED}\nM2\n", encoding="ascii")
-        self.wishes = self.folder / "wishes"
-        self.wishes.touch()
-
-    def wish(self, text):
-        with open(self.wishes, "a", encoding="ascii") as file:
-            file.write(text + "\n")
+class LiveTest(WishTest):
+    part_text = f"G21 G90\nG1 X{LENGTH} F{60 * FEED}\nM2\n"
 
     def draw(self, build, wishes, *options):
         """Draws the part; each wish comes when so many mm are drawn.  Returns the clock in which
         each step came, and the clocks of a second."""
-        board = Board(str(self.folder / "board"), "--fast", "--build", build)
-        self.addCleanup(board.kill)
-        host = subprocess.Popen(
-            [CURVECORE, "stream", self.part, "--to", f"udp:127.0.0.1:{board.port}", "-o",
-             self.folder / "stream", "--control", self.wishes, *options],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        board = self.board(build)
+        host = self.stream(board, "--control", self.wishes, *options)
         for drawn_mm, wish in wishes:
             def drawn(at=drawn_mm):
                 low = read(board.port, PATH_LO)
                 return (low | read(board.port, PATH_HI) << 32) / QUANTA_PER_MM >= at
             until(drawn)
             self.wish(wish)
-        message = host.communicate()[1]
-        self.assertEqual(host.returncode, 0, message)
-        self.assertEqual(message, "")
+        self.assertEqual(self.end(host, 0), "")
         steps = board.end()
         self.assertEqual(counts(steps), [LENGTH * STEPS_PER_MM, 0, 0])
         return ([clock for clock, _, _ in steps],

@@ -2,13 +2,10 @@
 """Programs that wait for a person: the axes stand, and what is asked for behind comes behind."""
 
 import csv
-import pathlib
 import re
-import subprocess
-import tempfile
 import unittest
 
-from wire_parts import CURVECORE, STEPS_PER_MM, Board, counts, report_of
+from wire_parts import STEPS_PER_MM, WishTest, counts, report_of
 
 # A wait at 0, at 20 mm behind a dwell with another one behind it, two at 30 mm, none at the end.
 PART = """G21 G90 G64 P0.01
@@ -37,30 +34,8 @@ SPINDLE, FLOOD = "0", "3"  # in outputs.csv
 MESSAGE = re.compile(r"part\.ngc:(\d+): waits at (\d+\.\d+) mm: (.*); resume goes on\n")
 
 
-class WaitTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.part = self.folder / "part.ngc"
-        self.part.write_text(PART, encoding="ascii")
-        self.wishes = self.folder / "wishes"
-        self.wishes.touch()
-
-    def board(self, build):
-        board = Board(str(self.folder / "board"), "--fast", "--build", build)
-        self.addCleanup(board.kill)
-        return board
-
-    def stream(self, board, *options):
-        return subprocess.Popen(
-            [CURVECORE, "stream", self.part, "--to", f"udp:127.0.0.1:{board.port}", "-o",
-             self.folder / "stream", *options],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-
-    def wish(self, text):
-        with open(self.wishes, "a", encoding="ascii") as file:
-            file.write(text + "\n")
+class WaitTest(WishTest):
+    part_text = PART
 
     def see_waits(self, host, waits):
         """Resumes at each wait, once it is said."""
@@ -68,11 +43,6 @@ class WaitTest(unittest.TestCase):
             said = MESSAGE.search(host.stderr.readline())
             self.assertEqual((int(said[1]), said[2], said[3]), wait)
             self.wish("resume")
-
-    def end(self, host, status):
-        message = host.communicate()[1]
-        self.assertEqual(host.returncode, status, message)
-        return message
 
     def switched(self, output):
         """Changes of an output: the clock, and the level from there on."""

@@ -14,7 +14,9 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
+import unittest
 import zlib
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "formats"))
@@ -63,6 +65,42 @@ class Board:
         self.process.kill()
         self.process.wait()
         self.process.stdout.close()
+
+
+class WishTest(unittest.TestCase):
+    """A test of `stream` with wishes on the way, in a folder of its own."""
+
+    part_text = ""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.part = self.folder / "part.ngc"
+        self.part.write_text(self.part_text, encoding="ascii")
+        self.wishes = self.folder / "wishes"
+        self.wishes.touch()
+
+    def board(self, build):
+        board = Board(str(self.folder / "board"), "--fast", "--build", build)
+        self.addCleanup(board.kill)
+        return board
+
+    def stream(self, board, *options):
+        return subprocess.Popen(
+            [CURVECORE, "stream", self.part, "--to", f"udp:127.0.0.1:{board.port}", "-o",
+             self.folder / "stream", *options],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+    def wish(self, text):
+        with open(self.wishes, "a", encoding="ascii") as file:
+            file.write(text + "\n")
+
+    def end(self, host, status):
+        """Text that the host printed, once it has ended with this status."""
+        message = host.communicate()[1]
+        self.assertEqual(host.returncode, status, message)
+        return message
 
 
 def command(flags, number, address, *words):

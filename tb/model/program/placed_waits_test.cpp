@@ -167,6 +167,26 @@ TEST(PlacedWaits, ADwellBeforeTheFirstMoveIsBehindAWaitAtTheStart) {
     EXPECT_EQ(drawn.outputs.front().waits, 1);
 }
 
+/// Curves of all kinds, smooth between, and an axis alone.
+TEST(PlacedWaits, ComeBehindAnyMove) {
+    const std::string moves[] = {
+        "G2 X10 Y0 I5 J0\n", "G3 X20 Y0 Z3 I5 P2\n", "G5 X30 Y8 I3 J0 P-2 Q0\n",
+        "G1 A40\n",          "G1 X34 Y9 A50\n",      "G0 X40 Y0\n",
+        "G1 X41\n"};
+    std::string with = "G64 P0.02 F900\n";
+    std::string without = with;
+    for (const std::string& move : moves) {
+        with += move + "G4 P0.1\nM0\nG4 P0.2\n";
+        without += move + "G4 P0.1\nG4 P0.2\n";
+    }
+    const Drawn drawn = plan(with + "G1 X50\nM2\n", true);
+    const Drawn plain = plan(without + "G1 X50\nM2\n", true);
+    EXPECT_EQ(drawn.waits.size(), std::size(moves));
+    EXPECT_EQ(drawn.programs, static_cast<int>(std::size(moves)) + 1);
+    EXPECT_EQ(drawn.path, plain.path);
+    EXPECT_EQ(drawn.ticks, plain.ticks);
+}
+
 /// Random programs: waits at the ends of parts, at dwells, at both.
 TEST(PlacedWaits, EndProgramsInAnyParts) {
     std::mt19937 random(1);
