@@ -17,6 +17,9 @@ constexpr std::size_t kMostWords = 200'000;
 constexpr double kSpare_s = 0.3;
 constexpr double kPlannings = 3;  // times of planning a part
 constexpr double kForgets = 0.9;  // share of the longest of these that the next part leaves
+/// Longest wait for a part that the board needs. On a busy computer the planning thread may be
+/// late; a fast board's clock advances with each question, so a host without words asks seldom.
+constexpr auto kAwaits = std::chrono::milliseconds(50);
 
 void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
     all.insert(all.end(), words.begin(), words.end());
@@ -180,7 +183,11 @@ BoardSettings WordSource::settings() {
 }
 
 void WordSource::take(PlannedWords& held) {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    if (held.segments.empty() && held.pieces.empty()) {
+        changed_.wait_for(lock, kAwaits,
+                          [this] { return planned_.all || !planned_.pieces.empty() || !is_due(); });
+    }
     move_to(held.segments, planned_.segments);
     move_to(held.pieces, planned_.pieces);
     move_to(held.waits, planned_.waits);

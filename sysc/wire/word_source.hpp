@@ -65,7 +65,8 @@ class WordSource {
     void raise(double percent);
     /// Returns the greatest ratio of planned feeds to those of the program.
     double raised();
-    /// Adds the new words to those held and updates the figures of planning.
+    /// Adds the new words to those held and updates the figures of planning. If none are held
+    /// while the board needs another part, waits for it for a while.
     /// @throws the error that ended the planning, once its words are taken
     void take(PlannedWords& held);
     /// Returns the warnings, once take() reports that all is planned.
