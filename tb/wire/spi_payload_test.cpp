@@ -43,7 +43,11 @@ TEST(SpiPayload, IsMostOfTheLinesBits) {
     const std::size_t all = left();
     const std::uint64_t begin = pins.clock();
     while (left() > 0 && machine.telemetry().segment_room > 100) {
-        while (machine.push(planned.segments, planned.pieces)) {
+        for (;;) {
+            const auto [segments, pieces] =
+                machine.push(planned.segments, planned.pieces,
+                             {planned.segments.size(), planned.pieces.size()});
+            if (segments + pieces == 0) break;
         }
         machine.work();
     }
