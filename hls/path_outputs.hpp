@@ -76,6 +76,16 @@ class PathOutputs {
         settle();
     }
 
+    /// Drops what waits; the path begins at 0. What is on stays on, or goes off.
+    void flush(bool keep) {
+        if (!keep) bits_ = level_ = follow_ = 0;
+        waiting_.clear();
+        number_ = 0;
+        left_ = 0;
+        counted_ = false;
+        before_ = 0;
+    }
+
     unsigned bits() const { return bits_; }
 
     /// Returns what the pin is on, of 4095.

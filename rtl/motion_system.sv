@@ -177,7 +177,7 @@ module motion_system #(
       .read_word_i(setting_word),
       .setting_o(setting)
   );
-  logic hold, ends, empty, begins, active, standing, underrun, words, positions;
+  logic hold, ends, keeps, empty, begins, active, standing, underrun, words, positions;
   logic [7:0] motion_fault;
   logic [Axes*FineBits-1:0] sample;
   logic [FineBits-1:0] position;
@@ -216,6 +216,7 @@ module motion_system #(
       .sample_i(sample_taken),
       .hold_o(hold),
       .ends_o(ends),
+      .keeps_o(keeps),
       .words_o(words),
       .begins_o(begins),
       .position_o(by_position),
@@ -267,7 +268,6 @@ module motion_system #(
       .following_o(following),
       .fault_axis_o(fault_axis)
   );
-
   sample_sources #(
       .Build(Build),
       .Order(Order),
@@ -322,6 +322,7 @@ module motion_system #(
       .setting_word_o(setting_word),
       .setting_i(setting),
       .ends_i(ends),
+      .keeps_i(keeps),
       .empty_o(empty),
       .sample_valid_o(sample_valid),
       .sample_ready_i(sample_ready),
@@ -344,7 +345,6 @@ module motion_system #(
       .standing_o(standing),
       .fault_o(motion_fault)
   );
-
   motion_pins #(
       .Axes(Axes),
       .FineBits(FineBits),

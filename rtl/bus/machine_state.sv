@@ -44,6 +44,7 @@ module machine_state #(
     input  wire logic       sample_i,        // a sample was taken
     output logic            hold_o,
     output logic            ends_o,
+    output logic            keeps_o,         // outputs that are on: a flush leaves them
     output logic            words_o,         // words may be taken
     output logic            begins_o,        // the next sample is a program's first
 
@@ -148,18 +149,22 @@ module machine_state #(
   // Hold and flush. Samples before a program's first do not move, and may wait for its words.
   logic hold_q;
   logic flush_q;
+  logic keep_q;
   logic moved_q;
   logic rests;
   assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow] || caught_i;
   assign begins_o = !moved_q && !position_o;
   assign rests = position_o ? !queued_i : standing_i || !moved_q;
+  assign keeps_o = keep_q;
   assign ends_o = !enable_o || (flush_q && rests);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       hold_q  <= 1'b0;
+      keep_q  <= 1'b0;
       flush_q <= 1'b0;
     end else begin
       if (control_write_i) hold_q <= command_i[registers_pkg::ControlHoldLow];
+      if (control_write_i) keep_q <= command_i[registers_pkg::ControlKeepLow];
       if (empty_i) flush_q <= 1'b0;
       else if (control_write_i && command_i[registers_pkg::ControlFlushLow]) flush_q <= 1'b1;
     end

@@ -77,6 +77,7 @@ module paced_motion #(
     output logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Outputs: rtl/output/path_outputs.sv
+    input  wire logic        keeps_i,
     input  wire logic        drawn_i,
     output logic      [ 7:0] bits_o,
     output logic      [11:0] power_o,
@@ -341,7 +342,9 @@ module paced_motion #(
         .Form (MultiplierForm)
     ) u_outputs (
         .clk_i,
-        .rst_ni  (rst_n),
+        .rst_ni,
+        .flush_i (!rst_n),
+        .keep_i  (keeps_i),
         .valid_i (profile_valid_i),
         .word_i,
         .next_o  (of_outputs),
@@ -364,7 +367,7 @@ module paced_motion #(
     assign bits_o = '0;
     assign power_o = '0;
     assign pwm_o = 1'b0;
-    assign unused = &{1'b0, drawn_i, path_valid, by_host_i, off_i};
+    assign unused = &{1'b0, keeps_i, drawn_i, path_valid, by_host_i, off_i};
   end
 
 endmodule

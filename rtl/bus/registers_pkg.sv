@@ -81,6 +81,7 @@ package registers_pkg;
   localparam int ControlFlushLow = 2;
   localparam int ControlEstopLow = 3;
   localparam int ControlPositionLow = 4;
+  localparam int ControlKeepLow = 5;
   localparam int StateBusLow = 0;
   localparam int StateWatchdogLow = 1;
   localparam int StateEstopLow = 2;

@@ -89,6 +89,7 @@ module sample_sources #(
     output logic      [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Outputs: rtl/output/path_outputs.sv
+    input  wire logic        keeps_i,
     input  wire logic        drawn_i,
     output logic      [31:0] outputs_o,  // contents of the register OUTPUTS
     output logic             pwm_o,
@@ -189,6 +190,7 @@ module sample_sources #(
       .position_i(position),
       .rates_read_i,
       .rates_o,
+      .keeps_i,
       .drawn_i,
       .bits_o(bits),
       .power_o(power),

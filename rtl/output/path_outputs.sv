@@ -16,7 +16,8 @@
 // these are 64 clocks or more apart; 32 samples at most are made and not taken. next_o: the word is
 // one of outputs and the next in order; it is taken with ready_o, one in 6 clocks while there is
 // room. Any other word is left to the motion's entry, which refuses it. Nothing is on without
-// enable_i; what was on is off then.
+// enable_i; what was on is off then. A flush drops what waits and what is made: the next program
+// begins at path 0. What is on stays on with keep_i.
 `default_nettype none
 module path_outputs #(
     parameter int Words = 1024,  // [64, 4096], a power of two: words that wait
@@ -24,6 +25,8 @@ module path_outputs #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
+    input wire logic flush_i,
+    input wire logic keep_i,
 
     input  wire logic        valid_i,
     input  wire logic [47:0] word_i,
@@ -47,8 +50,9 @@ module path_outputs #(
       $fatal(1, "Words must be a power of two in [64, 4096]");
   localparam int PlaceBits = $clog2(Words);
 
-  logic work;
-  assign work = rst_ni && enable_i;
+  logic work, takes_words;
+  assign work = rst_ni && enable_i && (keep_i || !flush_i);
+  assign takes_words = work && !flush_i;
 
   // Words in order: three limbs of each go into the memory, and out of it when it is the next one
   logic [3:0] number_q;
@@ -86,7 +90,7 @@ module path_outputs #(
     if (takes) put_q <= word_i;
     else if (writes) put_q <= {16'd0, put_q[47:16]};
     if (shifts_q) next_q <= {limb, next_q[47:16]};
-    if (!work) begin
+    if (!takes_words) begin
       number_q     <= '0;
       write_q      <= '0;
       read_q       <= '0;
@@ -117,23 +121,21 @@ module path_outputs #(
   always_ff @(posedge clk_i) begin
     if (made_i) paths[made_q] <= path_i;
     if (taken_i) path_q <= paths[taken_q];
-    if (!rst_ni) begin
+    if (!rst_ni || flush_i) begin
       made_q   <= '0;
       taken_q  <= '0;
       waits_q  <= 1'b0;
       moves_q  <= '0;
       before_q <= '0;
-      way_q    <= '0;
     end else begin
       if (made_i) made_q <= made_q + 1'b1;
       if (taken_i) taken_q <= taken_q + 1'b1;
       waits_q <= taken_i || (waits_q && !drawn_i);
       moves_q <= {moves_q[0], waits_q && drawn_i};
-      if (moves_q[0]) begin
-        way_q    <= path_q - before_q;
-        before_q <= path_q;
-      end
+      if (moves_q[0]) before_q <= path_q;
     end
+    if (!rst_ni) way_q <= '0;
+    else if (moves_q[0]) way_q <= path_q - before_q;
   end
 
   // The way to the next change: it is due when nothing is left.
@@ -144,7 +146,7 @@ module path_outputs #(
       {2'b00, next_q[words_pkg::OutputDistanceLow+:26], 8'd0};
   assign apply = loaded_q && !moves_q[1] && left_q <= 0;
   always_ff @(posedge clk_i) begin
-    if (!work) begin
+    if (!takes_words) begin
       left_q   <= '0;
       loaded_q <= 1'b0;
     end else begin

@@ -109,6 +109,7 @@ module machine_state_formal (
       .queued_i,
       .hold_o(hold),
       .ends_o(ends),
+      .keeps_o(),
       .words_o(words),
       .begins_o(begins),
       .tick_i,

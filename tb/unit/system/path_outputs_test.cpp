@@ -30,6 +30,8 @@ class PathOutputs : public ::testing::Test {
         dut_->taken_i = 0;
         dut_->drawn_i = 0;
         dut_->enable_i = 1;
+        dut_->flush_i = 0;
+        dut_->keep_i = 0;
         dut_.reset();
     }
 
@@ -72,6 +74,18 @@ class PathOutputs : public ::testing::Test {
         dut_->drawn_i = any(4) == 0;  // and none waits
         since_ = 1;
     }
+    /// Drops all that waits, at a standstill.
+    void flush(bool keep) {
+        twin_.flush(keep);
+        dut_->keep_i = keep;
+        number_ = 0;
+        path_ = 0;
+        made_.clear();
+        dut_->flush_i = 1;
+        clock();
+        dut_->flush_i = 0;
+        since_ = 0;  // a word at the path's begin is due at once
+    }
     void clock() {
         dut_.tick();
         dut_->drawn_i = 0;
@@ -106,7 +120,7 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
     std::uint64_t placed = 0;
     unsigned scale = 1;
     int changes = 0;  // in the sample under way
-    unsigned moved = 0, follows = 0, partly = 0, together = 0;
+    unsigned moved = 0, follows = 0, partly = 0, together = 0, kept = 0;
     for (int n = 0; n < kSamples; ++n) {
         if (n % 1000 == 0) scale = 1U << any(20);
         while (made_.size() < 1 + any(kAhead)) {
@@ -128,6 +142,13 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
         }
         while (since_ < kPeriod + kChange * changes + 2 * kPeriod * (any(100) == 0)) clock();
         expect_equal();
+        if (any(500) == 0) {
+            flush(any(2) == 0);
+            kept += twin_.bits() != 0;
+            placed = 0;
+            expect_equal();
+            continue;
+        }
         const std::size_t before = twin_.waiting();
         take();
         changes = static_cast<int>(before - twin_.waiting());
@@ -140,6 +161,7 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
     EXPECT_GT(follows, kSamples / 10U);
     EXPECT_GT(partly, kSamples / 10U);
     EXPECT_GT(together, 100U);
+    EXPECT_GT(kept, 100U);
 }
 
 TEST_F(PathOutputs, AreOnForTheirShareOfATurn) {
