@@ -71,19 +71,20 @@ OutputCourse::State OutputCourse::state(const Move& move) const {
     state.level = dark ? 0 : std::min(speed_ / rules_.full, 1.0);
     const bool follows = rules_.laser && (bits_ & kCounterClockwise) != 0;
     state.follow = rules_.laser && rules_.dark_at_rest ? kAtAnyButRest : kAtAnySpeed;
-    if (follows) state.follow = move.rapid ? given_.follow : move.feed;
+    if (follows && !move.rapid) state.follow = move.feed;
+    if (follows && move.rapid && given_) state.follow = given_->follow;
     return state;
 }
 
 void OutputCourse::note(std::vector<Change>& changes, const State& state, double share,
                         Behind behind, int line) {
-    if (state.bits != given_.bits) {
+    if (!given_ || state.bits != given_->bits) {
         changes.push_back({OutputKind::kBits, double(state.bits), share, behind, line});
     }
-    if (state.follow != given_.follow) {
+    if (!given_ || state.follow != given_->follow) {
         changes.push_back({OutputKind::kFollow, state.follow, share, behind, line});
     }
-    if (state.level != given_.level) {
+    if (!given_ || state.level != given_->level) {
         changes.push_back({OutputKind::kLevel, state.level, share, behind, line});
     }
     given_ = state;

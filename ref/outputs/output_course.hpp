@@ -12,6 +12,7 @@
 // speed along the path, whole at the feed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,10 @@ class OutputCourse {
         int line;
     };
 
-    explicit OutputCourse(const OutputRules& rules) : rules_(rules) {}
+    /// @param known nothing is on where the moves begin; otherwise that may be anything
+    explicit OutputCourse(const OutputRules& rules, bool known = true) : rules_(rules) {
+        if (known) given_ = State();
+    }
 
     /// Returns the changes in the next drawn move, in order; `events`: those before its end.
     std::vector<Change> next(const Move& move, const Events& events);
@@ -73,9 +77,9 @@ class OutputCourse {
     OutputRules rules_;
     std::size_t taken_ = 0;
     int waits_ = 0;
-    int bits_ = 0;      // as asked for
-    double speed_ = 0;  // S
-    State given_;
+    int bits_ = 0;                // as asked for
+    double speed_ = 0;            // S
+    std::optional<State> given_;  // none: not known
 };
 
 }  // namespace curvecore::ref

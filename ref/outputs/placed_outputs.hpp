@@ -14,9 +14,10 @@ class PlacedOutputs {
   public:
     /// @param raised times by which an override raises the feeds of moves
     /// @param most changes that wait at the board; 0: it has no outputs
+    /// @param known nothing is on where the moves begin
     PlacedOutputs(const OutputRules& rules, double raised, int most, double sample_s,
-                  std::string file)
-        : course_(rules),
+                  std::string file, bool known = true)
+        : course_(rules, known),
           raised_(raised),
           waiting_words_(most),
           sample_s_(sample_s),

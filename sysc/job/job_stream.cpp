@@ -225,7 +225,7 @@ void JobStream::begin() {
     // Bounds of holds are those of the fastest moves that an override may ask for.
     const double faster = live ? kMostOverride / 100.0 / job_.options.feed_factor() : 1;
     outputs_.emplace(job_.options.rules, job_.options.feed_factor(), job_.options.outputs,
-                     job_.options.sample_period_s, job_.program.file);
+                     job_.options.sample_period_s, job_.program.file, job_.options.from_mm == 0);
     job_.plan.made_for(profile_writer(job_));
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, faster * fastest_},

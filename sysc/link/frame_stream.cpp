@@ -59,6 +59,10 @@ void FrameStream::send(int segment_words, int profile_words) {
 
 void FrameStream::live_each(WireClock::duration period) { state_.live_period = count_of(period); }
 
+WireClock::duration FrameStream::live_period() const {
+    return std::chrono::duration_cast<WireClock::duration>(nanoseconds(state_.live_period));
+}
+
 void FrameStream::work() {
     WireClock::duration wait = link_.poll_period();
     while (const std::optional<Bytes> answer = link_.receive(wait)) {

@@ -55,6 +55,7 @@ class FrameStream {
     bool all_taken() const { return state_.count == 0; }
     /// Sets the period in which work() sends at least one numbered frame, for the board's watchdog.
     void live_each(WireClock::duration period);
+    WireClock::duration live_period() const;
 
     /// Handles answers and repeats overdue frames, for one wait of the link; requests the state
     /// when it is old.

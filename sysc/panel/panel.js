@@ -26,6 +26,7 @@ function figures() {
     ["line", status.line],
     ["path", status.path_mm.toFixed(2) + " of " + status.planned_mm.toFixed(2) + " mm" + so_far],
     ["left", least + minutes(status.left_s)],
+    ...(status.from ? [["went on --from", status.from]] : []),
     ["faults", status.faults || "none"],
   ];
 }

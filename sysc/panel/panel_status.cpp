@@ -65,6 +65,7 @@ std::vector<std::string> panel_lines(const PanelStatus& status, std::size_t colu
     lines.push_back(queues(status) + (status.outputs ? outputs(*status.outputs) : ""));
     if (std::string errors = following(status); !errors.empty()) lines.push_back(errors);
     lines.push_back(status.state + (status.faults.empty() ? "" : ": " + status.faults));
+    if (!status.from.empty()) lines.push_back("went on --from " + status.from);
     lines.emplace_back("h hold  r resume  + - override  s stop on the path  e e-stop");
     for (std::string& line : lines) line.resize(std::min(line.size(), columns));
     return lines;
@@ -95,6 +96,7 @@ std::string panel_json(const PanelStatus& status) {
     if (status.outputs) {
         json["outputs"] = {{"bits", status.outputs->bits}, {"power", status.outputs->power}};
     }
+    json["from"] = status.from;
     json["faults"] = status.faults;
     return json.dump();
 }

@@ -36,6 +36,7 @@ struct PanelAxis {
 /// | override_percent  |        | that was asked for                                       |
 /// | left_s            | s      | to the end of what is planned, at that override          |
 /// | line              |        | of the program                                           |
+/// | from              |        | length: where a rest was planned anew, for --rest        |
 /// | faults            |        | empty: none                                              |
 struct PanelStatus {
     std::string state;
@@ -50,6 +51,7 @@ struct PanelStatus {
     int line = 0;
     std::vector<PanelQueue> queues;
     std::optional<PanelOutputs> outputs;
+    std::string from;
     std::string faults;
 };
 

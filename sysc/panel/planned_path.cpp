@@ -28,18 +28,20 @@ void PlannedPath::add(const ref::Plan& part) {
     for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm);
     for (const ref::ProfilePiece& piece : part.pieces) {
         pieces_.push_back({path_, time_s_, piece});
+        if (piece.ds == 0) rests_.push_back(path_);
         path_ += piece.ds;
         time_s_ += piece.ticks * part.tick_s;
     }
 }
 
 void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
-    stretches_.push_back({segment.s_start + segment.length, segment.line});
+    const std::uint64_t begin = begin_ + segment.s_start;
+    stretches_.push_back({begin + segment.length, segment.line});
     const double length = static_cast<double>(segment.length) * ref::kQuantum;
     const bool straight = segment.kind() == ref::CurveKind::kArc && segment.arc().radius == 0;
     const double wanted = std::ceil(length * unit_mm / kPointEvery);
     const double parts = straight ? 1 : std::clamp(wanted, kLeastPoints, kMostOnCurve);
-    const double begin_mm = static_cast<double>(segment.s_start) * ref::kQuantum * unit_mm;
+    const double begin_mm = static_cast<double>(begin) * ref::kQuantum * unit_mm;
     const auto show = [&](double part) {
         const double s = length * part;
         points_.push_back(
@@ -63,6 +65,7 @@ void PlannedPath::thin() {
 
 void PlannedPath::forget(std::uint64_t path) {
     while (stretches_.size() > 1 && stretches_.front().end <= path) stretches_.pop_front();
+    while (!rests_.empty() && rests_.front() < path) rests_.pop_front();
     while (pieces_.size() > 1 && pieces_[1].begin <= path) pieces_.pop_front();
 }
 
@@ -85,6 +88,12 @@ PathPlace PlannedPath::at(std::uint64_t path) {
     place.time_s = now.time_s + ticks * tick_s_;
     place.feed_mm_s = ref::piece_state(now.piece, ticks).v * quantum_mm_ / tick_s_;
     return place;
+}
+
+bool PlannedPath::rests_at(std::uint64_t path) {
+    const std::lock_guard lock(mutex_);
+    forget(path);
+    return !rests_.empty() && rests_.front() == path;
 }
 
 double PlannedPath::time_s() const {

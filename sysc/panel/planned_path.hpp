@@ -21,12 +21,17 @@ struct PathPlace {
 
 class PlannedPath {
   public:
+    /// @param begin of what is added, in quanta: what is before that is not known
+    explicit PlannedPath(std::uint64_t begin = 0) : begin_(begin), path_(begin) {}
+
     void add(const ref::Plan& part);
     /// Forgets what is before a place, in quanta: it is drawn.
     void pass(std::uint64_t path);
 
     /// Returns what is at a place, in quanta, which is not before one that was passed.
     PathPlace at(std::uint64_t path);
+    /// Returns true if the program rests at a place, which is not before one that was passed.
+    bool rests_at(std::uint64_t path);
     /// Planned so far.
     double time_s() const;
     double length_mm() const;
@@ -58,7 +63,9 @@ class PlannedPath {
     mutable std::mutex mutex_;
     std::deque<Stretch> stretches_;  // those before the place that was passed are gone
     std::deque<Piece> pieces_;
-    std::uint64_t path_ = 0;
+    std::deque<std::uint64_t> rests_;  // places
+    std::uint64_t begin_;
+    std::uint64_t path_;
     double time_s_ = 0;
     double tick_s_ = 0;
     double quantum_mm_ = 0;

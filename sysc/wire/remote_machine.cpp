@@ -176,17 +176,27 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
         frames_.live_each(std::chrono::duration_cast<WireClock::duration>(
             std::chrono::duration<double>(silence / CURVECORE_SIGNS_OF_LIFE)));
     }
-    write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
-    write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
-    write(CURVECORE_HOLD_SLOPE, static_cast<std::uint32_t>(settings.hold_slope));
-    write(CURVECORE_STOP_TICKS, settings.stop_ticks);
-    write(CURVECORE_DIGEST, settings.host_digest);
+    set(settings);
     write(CURVECORE_REFERENCE, (1U << build_.axes) - 1);
     control(CURVECORE_CONTROL_ENABLE_MASK);
     frames_.finish();
     if (!is(CURVECORE_STATE_ENABLED_MASK)) {
         throw UsageError("the machine does not come on: " + fault_names(why_off()));
     }
+}
+
+void RemoteMachine::begin_here(const BoardSettings& settings) {
+    set(settings);
+    control(CURVECORE_CONTROL_ENABLE_MASK);
+    frames_.finish();
+}
+
+void RemoteMachine::set(const BoardSettings& settings) {
+    write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
+    write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
+    write(CURVECORE_HOLD_SLOPE, static_cast<std::uint32_t>(settings.hold_slope));
+    write(CURVECORE_STOP_TICKS, settings.stop_ticks);
+    write(CURVECORE_DIGEST, settings.host_digest);
 }
 
 /// Faults, and pins that count as none while the machine is off.
@@ -246,7 +256,10 @@ void RemoteMachine::estop() { control(CURVECORE_CONTROL_ESTOP_MASK); }
 
 void RemoteMachine::clear_watchdog() { write(CURVECORE_STATE, CURVECORE_STATE_WATCHDOG_MASK); }
 
-void RemoteMachine::flush() { control(control_ | CURVECORE_CONTROL_FLUSH_MASK); }
+void RemoteMachine::flush(bool keep_outputs) {
+    const std::uint32_t keep = keep_outputs ? CURVECORE_CONTROL_KEEP_MASK : 0;
+    control(control_ | keep | CURVECORE_CONTROL_FLUSH_MASK);
+}
 
 void RemoteMachine::disable() { control(0); }
 

@@ -64,6 +64,9 @@ class RemoteMachine {
     /// Sets the places of the axes to the start of the next program, and turns the drives on.
     /// @throws UsageError: a machine that cannot be turned on
     void begin(const BoardSettings& settings, int watchdog_samples);
+    /// Ends a hold of the machine, whose queues are empty, for a program that begins where the axes
+    /// stand, and waits until the board has obeyed.
+    void begin_here(const BoardSettings& settings);
 
     /// Numbers of words of both streams.
     struct WordCounts {
@@ -80,8 +83,8 @@ class RemoteMachine {
     void estop();
     /// Resumes motion that stopped because the host was silent.
     void clear_watchdog();
-    /// Stops on the path and empties the queues.
-    void flush();
+    /// Stops on the path and empties the queues. Outputs go off, or stay on for a rest.
+    void flush(bool keep_outputs);
     void disable();
     /// Handles answers, repetitions and state, for one wait of the link.
     void work() { frames_.work(); }
@@ -89,6 +92,8 @@ class RemoteMachine {
     /// Returns true if the board has taken all that was sent.
     bool all_taken() const { return frames_.all_taken(); }
     WireClock::time_point now() const { return link_.now(); }
+    /// Returns the longest silence between two signs of life; 0: none are asked for.
+    WireClock::duration live_period() const { return frames_.live_period(); }
 
     const Telemetry& telemetry() const { return frames_.telemetry(); }
     /// Words a second that the link carries, 0: unknown.
@@ -127,6 +132,7 @@ class RemoteMachine {
     void write(std::uint32_t address, std::uint32_t word);
     std::uint32_t read(std::uint32_t address);
     void control(std::uint32_t bits);
+    void set(const BoardSettings& settings);
     void settle(std::uint32_t mask);
     void set_scale(int axis, std::uint64_t scale);
     std::uint32_t homed();

@@ -7,7 +7,7 @@
 
 #include "sysc/panel/wish.hpp"
 #include "sysc/wire/remote_machine.hpp"
-#include "sysc/wire/word_source.hpp"
+#include "sysc/wire/rest_plan.hpp"
 
 namespace curvecore::sysc {
 
@@ -16,7 +16,9 @@ enum class StreamEnd { kDone, kStopped, kFault, kCaught };
 
 class WireStream {
   public:
-    WireStream(RemoteMachine& machine, WordSource& words, WishQueue& wishes, double override_rate);
+    /// @param rest plans what is behind a hold anew; null: time runs again by the bounds of holds
+    WireStream(RemoteMachine& machine, WordSource& words, WishQueue& wishes, double override_rate,
+               RestPlan* rest = nullptr);
 
     /// Sends words and works until the program is drawn or ended. `turn` is called repeatedly.
     /// @throws BoardLost, Interrupted (by `turn`), any error of planning
@@ -26,6 +28,10 @@ class WireStream {
     /// kCaught.
     void stop();
 
+    /// Returns the source of what is sent now.
+    WordSource& words() const { return *words_; }
+    /// Returns where what is sent now begins, quanta: at the last hold from which it was planned.
+    std::uint64_t begin() const { return begin_; }
     const PlannedWords& planned() const { return planned_; }
     /// Returns the path that the board has drawn, quanta.
     std::uint64_t path() const { return path_; }
@@ -47,6 +53,12 @@ class WireStream {
 
   private:
     bool meet_wishes();
+    void plan_rest();
+    void resume();
+    void begin_rest();
+    void forget_rest();
+    void empty_queues(bool keep_outputs);
+    void look_until(const std::function<bool()>& done);
     void push();
     bool drawn() const;
     bool at_wait() const;
@@ -57,18 +69,29 @@ class WireStream {
     void set_rate(double wished);
 
     RemoteMachine& machine_;
-    WordSource& words_;
+    WordSource* words_;
+    std::unique_ptr<WordSource> anew_;  // which words_ are, behind a hold
+    std::unique_ptr<WordSource> next_;  // the rest of what is held
+    RestPlan* rest_;
     WishQueue& wishes_;
     PlannedWords planned_;
     double wished_rate_;
     double link_rate_ = 1;
     double raised_ = 1;  // WordSource::raised()
+    std::uint64_t begin_ = 0;
     std::uint64_t path_ = 0;
     RemoteMachine::WordCounts pushed_;
     std::uint32_t faults_ = 0;
     std::vector<std::uint64_t> waits_;
     bool waiting_ = false;
     bool waits_for_person_ = false;
+    bool holds_ = false;                      // somebody asked for it
+    std::optional<std::uint64_t> rest_at_;    // place of the rest that is asked for
+    std::optional<std::uint64_t> waited_at_;  // place of the last wait for a person
+    /// Longest wait for words: a fast board's clock advances with each question, so a host without
+    /// words asks seldom while its planning thread is late.
+    WireClock::duration awaits_ = std::chrono::milliseconds(50);
+    std::optional<WireClock::time_point> resumes_by_;  // somebody asked to go on
     bool held_ = false;  // true: time stopped or slowed, for any reason
 };
 

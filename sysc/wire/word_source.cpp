@@ -17,9 +17,6 @@ constexpr std::size_t kMostWords = 200'000;
 constexpr double kSpare_s = 0.3;
 constexpr double kPlannings = 3;  // times of planning a part
 constexpr double kForgets = 0.9;  // share of the longest of these that the next part leaves
-/// Longest wait for a part that the board needs. On a busy computer the planning thread may be
-/// late; a fast board's clock advances with each question, so a host without words asks seldom.
-constexpr auto kAwaits = std::chrono::milliseconds(50);
 
 void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
     all.insert(all.end(), words.begin(), words.end());
@@ -44,8 +41,13 @@ void move_to(std::deque<Item>& held, std::deque<Item>& planned) {
 
 }  // namespace
 
-WordSource::WordSource(const Options& options, const ref::Machine& machine) {
+WordSource::WordSource(const Options& options, const ref::Machine& machine,
+                       const DrawnBefore& before)
+    : before_(before), path_(before.path), drawn_(before.path) {
     stream_.emplace(options, machine);
+    planned_.path = before.path;
+    planned_.words = before.words;
+    planned_.samples = before.samples;
     thread_ = std::thread([this] { fill(); });
 }
 
@@ -101,6 +103,11 @@ void WordSource::follow(std::uint64_t path, bool moves) {
     changed_.notify_all();
 }
 
+DrawnBefore WordSource::drawn(std::uint64_t path, std::uint64_t words) {
+    const double samples = path_.at(path).time_s / stream_->job().options.sample_period_s;
+    return {path, words, before_.samples + static_cast<std::uint64_t>(std::llround(samples))};
+}
+
 double WordSource::raised() {
     const std::lock_guard lock(mutex_);
     return raised_;
@@ -134,6 +141,7 @@ void WordSource::add(const ref::Plan& part) {
             append(words.pieces, piece_words_->wait(part));
             words.waits.push_back({segment_word_count_ + each * part.waits[wait].segments,
                                    piece_word_count_ + words.pieces.size(), part.waits[wait]});
+            words.waits.back().wait.place += before_.path;
         }
         const std::vector<std::uint64_t> piece = piece_words_->write(part, i);
         append(words.pieces, piece);
@@ -151,7 +159,7 @@ void WordSource::add(const ref::Plan& part) {
     const std::lock_guard lock(mutex_);
     planned_.words += words.segments.size() + words.pieces.size();
     planned_.samples += ticks << options.samples_per_tick_log2();
-    planned_.path = part.segments.back().s_start + part.segments.back().length;
+    planned_.path = before_.path + part.segments.back().s_start + part.segments.back().length;
     planned_.busiest = busiest_;
     stop_s_ = part.stop_ticks * part.tick_s;
     move_to(planned_.segments, words.segments);
@@ -182,10 +190,10 @@ BoardSettings WordSource::settings() {
     return *settings_;
 }
 
-void WordSource::take(PlannedWords& held) {
+void WordSource::take(PlannedWords& held, WireClock::duration wait) {
     std::unique_lock lock(mutex_);
     if (held.segments.empty() && held.pieces.empty()) {
-        changed_.wait_for(lock, kAwaits,
+        changed_.wait_for(lock, wait,
                           [this] { return planned_.all || !planned_.pieces.empty() || !is_due(); });
     }
     move_to(held.segments, planned_.segments);

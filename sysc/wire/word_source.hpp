@@ -39,11 +39,19 @@ struct PlannedWords {
     bool all = false;
 };
 
+/// The part of a program that was drawn and sent before its rest, which options.from_mm cuts off.
+struct DrawnBefore {
+    std::uint64_t path = 0;  // quanta
+    std::uint64_t words = 0;
+    std::uint64_t samples = 0;
+};
+
+/// Places, lengths and sums count from the program's start, whatever was drawn before.
 class WordSource {
   public:
     /// @throws ref::InputError, UsageError, as JobStream does
     explicit WordSource(const Options& options) : WordSource(options, machine_of(options)) {}
-    WordSource(const Options& options, const ref::Machine& machine);
+    WordSource(const Options& options, const ref::Machine& machine, const DrawnBefore& before = {});
     ~WordSource();
     WordSource(const WordSource&) = delete;
     WordSource& operator=(const WordSource&) = delete;
@@ -60,15 +68,19 @@ class WordSource {
     /// Notes the path that is drawn, quanta, and whether the axes move: plans as far ahead as the
     /// board needs.
     void follow(std::uint64_t path, bool moves);
+    /// Returns what is behind when so much of the path is drawn, and so many words are sent.
+    DrawnBefore drawn(std::uint64_t path, std::uint64_t words);
     /// Raises the feeds of what is not planned yet: from there on the override is at least so many
     /// percent.
     void raise(double percent);
     /// Returns the greatest ratio of planned feeds to those of the program.
     double raised();
     /// Adds the new words to those held and updates the figures of planning. If none are held
-    /// while the board needs another part, waits for it for a while.
+    /// while the board needs another part, waits for it, so long at most.
     /// @throws the error that ended the planning, once its words are taken
-    void take(PlannedWords& held);
+    void take(PlannedWords& held, WireClock::duration wait = {});
+    /// Returns the options as planning has completed them. To be called after settings().
+    const Options& options() const { return stream_->job().options; }
     /// Returns the warnings, once take() reports that all is planned.
     const std::vector<std::string>& warnings() const { return stream_->job().program.warnings; }
 
@@ -79,6 +91,7 @@ class WordSource {
     void count_words(std::size_t words);
     void pass(double time_s);
 
+    DrawnBefore before_;
     std::optional<JobStream> stream_;
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the durations of holds, from ticks all along plans with stop branches, as JSON too.
+// Prints the durations of holds, from ticks all along plans with stop branches, and of resumes, as
+// JSON too.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
+#include "ref/feed/pieces/piece_walk.hpp"
 #include "ref/feed/planner.hpp"
+#include "ref/moves/move_part.hpp"
 #include "tb/bench/claim_table.hpp"
 #include "tb/support/judge/hold_run.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
@@ -24,6 +27,7 @@ constexpr std::uint64_t kResumes = 12;   // approximate number of holds that are
 constexpr std::uint64_t kWhile = 50;     // ticks from one of those to the next
 
 constexpr double kSlower[] = {0.8, 0.6};  // overrides
+constexpr int kStarts = 6;                // places from which a program is planned anew
 
 /// The longest of some holds.
 class Longest {
@@ -32,6 +36,7 @@ class Longest {
     void see(HoldRun run) {
         if (run.active()) ticks_ = std::max(ticks_, run.stop());
     }
+    void see(std::uint64_t ticks) { ticks_ = std::max(ticks_, ticks); }
     std::string text(const ref::Plan& plan) const {
         return ticks_ == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(ticks_) * plan.tick_s);
     }
@@ -46,13 +51,18 @@ struct Holds {
     Longest resumed;    // at full rate again
     Longest back;       // while time accelerates
     Longest slower[2];  // at kSlower since the start
+    Longest resumes;    // time that a resume costs by the bounds of holds
 };
 
 /// Makes holds from a run that has just stopped and resumes.
 void resume(HoldRun run, Holds& holds) {
     std::uint64_t full = 0;  // ticks
+    double lost = 0;         // ticks
     for (std::uint64_t n = 0; run.active(); ++n) {
-        full = run.tick(kOne) == kOne ? full + 1 : 0;
+        const std::int32_t rate = run.tick(kOne);
+        full = rate == kOne ? full + 1 : 0;
+        lost += 1 - static_cast<double>(rate) / kOne;
+        if (full == 1) holds.resumes.see(static_cast<std::uint64_t>(lost));
         if (full < kSettled) {
             if (n % kWhile == 0) holds.back.see(run);
         } else if ((full - kSettled) % kWhile == 0) {
@@ -88,13 +98,54 @@ Holds hold(const ref::Plan& plan) {
     return holds;
 }
 
+/// The rest of a program behind a place of its path, mm.
+ref::Program rest_of(const ref::Program& program, double from) {
+    ref::Program rest = program;
+    rest.moves.clear();
+    for (const ref::Move& move : program.moves) {
+        const double length = move.length();
+        if (length > from) rest.moves.push_back(ref::part_of(move, std::max(from, 0.), length));
+        from -= length;
+    }
+    return rest;
+}
+
+/// Time of a plan up to a place of its path, ticks.
+double ticks_to(const ref::Plan& plan, double from) {
+    double left = from / (plan.unit_mm * ref::kQuantum);
+    double ticks = 0;
+    for (const ref::ProfilePiece& piece : plan.pieces) {
+        const auto length = static_cast<double>(piece.ds);
+        if (left < length) return ticks + ref::ticks_at(piece, left);
+        left -= length;
+        ticks += piece.ticks;
+    }
+    return ticks;
+}
+
+/// The longest time that a start from rest costs at places all along the program, ticks.
+Longest starts(const ref::Program& program, const ref::Plan& plan) {
+    double length = 0;
+    for (const ref::Move& move : program.moves) length += move.length();
+    const auto whole = static_cast<double>(ref::ticks_of(plan.pieces));
+    Longest longest;
+    for (int n = 1; n < 2 * kStarts; n += 2) {
+        const double from = length * n / (2 * kStarts);
+        const ref::Plan rest = make_plan(rest_of(program, from), ref::Machine(), {});
+        const double lost = ref::ticks_of(rest.pieces) - (whole - ticks_to(plan, from));
+        longest.see(static_cast<std::uint64_t>(std::max(lost, 0.)));
+    }
+    return longest;
+}
+
 void add_row(Table& table, const std::string& name, const ref::Program& program) {
     const ref::Plan plan = make_plan(program, ref::Machine(), {});
     const Holds holds = hold(plan);
     table.rows.push_back(
         {name, fmt::format("{:.3f}", plan.duration_s), std::to_string(plan.branches.size()),
          holds.first.text(plan), holds.in_flight.text(plan), holds.resumed.text(plan),
-         holds.back.text(plan), holds.slower[0].text(plan), holds.slower[1].text(plan)});
+         holds.back.text(plan), holds.slower[0].text(plan), holds.slower[1].text(plan),
+         holds.resumes.text(plan), starts(program, plan).text(plan)});
 }
 
 }  // namespace
@@ -104,13 +155,16 @@ int main(int argc, char** argv) {
     std::string output;
     app.add_option("-o", output, "also as JSON")->type_name("FILE");
     CLI11_PARSE(app, argc, argv);
-    Table table{"holds",
-                "The longest hold to rest on the built-in machine, s, from sampled ticks: in a "
-                "program's first 32 ticks, at full rate from there on, at full rate after a "
-                "resume, while time comes back to it, and at overrides of 80 and 60 %",
-                {"path", "plan, s", "branches", "first ticks", "in flight", "after a resume",
-                 "while time comes back", "at 80 %", "at 60 %"},
-                {}};
+    Table table{
+        "holds",
+        "The longest hold to rest on the built-in machine, s, from sampled ticks: in a "
+        "program's first 32 ticks, at full rate from there on, at full rate after a "
+        "resume, while time comes back to it, and at overrides of 80 and 60 %; and the "
+        "longest time that a resume costs: by the bounds of holds, and by a plan from where "
+        "the axes stand, as `stream` makes",
+        {"path", "plan, s", "branches", "first ticks", "in flight", "after a resume",
+         "while time comes back", "at 80 %", "at 60 %", "resume by bounds", "resume anew"},
+        {}};
     add_row(table, "line of 950 mm", tb::fast_line(950));
     add_row(table, "line of 100 mm", tb::fast_line(100));
     add_row(table, "circles of 50 mm", tb::fast_arc(25, 8 * M_PI, 0));

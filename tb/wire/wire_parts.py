@@ -25,6 +25,7 @@ from check_json import flaw  # noqa: E402
 CURVECORE = sys.argv[1]
 STEPS_PER_MM = 400
 STATE, EXPECT, SEQUENCE, CONTROL, SWITCHES, AXES = 0x18, 0x70, 0x74, 0x14, 0x84, 0x100
+PATH_LO, PATH_HI = 0x60, 0x64
 ENABLED = 1 << 16  # of STATE
 QUANTA_PER_MM = 65536e6
 
@@ -119,6 +120,12 @@ def read(port, address):
                 return int.from_bytes(host.recv(100), "little")
             except TimeoutError:
                 pass
+
+
+def drawn_mm(port):
+    """The path since the last flush."""
+    low = read(port, PATH_LO)
+    return (low | read(port, PATH_HI) << 32) / QUANTA_PER_MM
 
 
 def numbered(port):

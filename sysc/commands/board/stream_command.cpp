@@ -116,7 +116,11 @@ int stream_command(StreamOptions& asked) {
         machine.begin(settings,
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
         panel->begin(encoders);
-        WireStream stream(machine, words, panel->wishes(), options.override_percent / 100);
+        RestPlan rest(words.options(), [&](const WordSource& planned) {
+            return stands_at(machine, planned.start(), drives);
+        });
+        WireStream stream(machine, words, panel->wishes(), options.override_percent / 100,
+                          options.file == ref::kStandardInput ? nullptr : &rest);
         const WireClock::time_point begin = WireClock::now();
         std::string end = "drawn";
         int exit = 0;
@@ -191,7 +195,8 @@ int stream_command(StreamOptions& asked) {
                 "and the program has up to {}; --holds bounds has fewer\n",
                 wire.to, 100 * stream.link_rate(), machine.words_per_s(), stream.planned().busiest);
         }
-        for (const std::string& warning : words.warnings()) fmt::print(stderr, "{}\n", warning);
+        for (const std::string& warning : stream.words().warnings())
+            fmt::print(stderr, "{}\n", warning);
         return exit;
     } catch (const BoardLost& lost) {
         fmt::print(stderr, "{}: {}\n", wire.to, lost.what());

@@ -50,6 +50,7 @@ void StreamPanel::begin(const Encoders& encoders) {
 void StreamPanel::turn(const WireStream& stream) {
     console_.add_to(wishes_, stream.override_percent());
     tell_wait(stream);
+    tell_begin(stream);
     const WireClock::time_point now = WireClock::now();
     if (now < shown_ + kPeriod || !(terminal_.on() || (page_ && page_->watched()))) return;
     shown_ = now;
@@ -72,6 +73,21 @@ void StreamPanel::tell_wait(const WireStream& stream) {
     if (!heard()) wishes_.push({Wish::Kind::kStop});
 }
 
+/// Says where the program goes on: --rest needs it, should this host be lost.
+void StreamPanel::tell_begin(const WireStream& stream) {
+    if (std::exchange(told_begin_, stream.begin()) == stream.begin()) return;
+    if (!terminal_.on() && !parts_.options.quiet) {
+        fmt::print(stderr, "goes on --from {}\n", from_text(stream));
+    }
+}
+
+/// Place where what is drawn now begins, as --from takes it.
+std::string StreamPanel::from_text(const WireStream& stream) const {
+    const Options& options = parts_.options;
+    const double way_mm = static_cast<double>(stream.begin()) * options.unit_mm * ref::kQuantum;
+    return fmt::format("{:.6f}mm", options.from_mm + way_mm);
+}
+
 void StreamPanel::end(const WireStream& stream, const std::string& how) {
     if (!page_) return;
     PanelStatus last = status(stream);
@@ -82,10 +98,11 @@ void StreamPanel::end(const WireStream& stream, const std::string& how) {
 std::string StreamPanel::lose(const WireStream& stream) {
     const double path_mm =
         static_cast<double>(stream.path()) * parts_.options.unit_mm * ref::kQuantum;
+    const std::string from = stream.begin() == 0 ? "" : " --from " + from_text(stream);
     std::string text = fmt::format(
         "it was {:.3f} mm along the path, line {}; a board that is still on holds there, and draws "
-        "the rest with stream --rest",
-        path_mm, parts_.words.path().at(stream.path()).line);
+        "the rest with stream --rest{}",
+        path_mm, stream.words().path().at(stream.path()).line, from);
     if (page_) {
         last_.state = "lost";
         last_.faults = text;
@@ -109,7 +126,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
     const RemoteBuild& build = machine.build();
     const double quantum_mm = parts_.options.unit_mm * ref::kQuantum;
     const PlannedWords& planned = stream.planned();
-    const PathPlace place = parts_.words.path().at(stream.path());
+    const PathPlace place = stream.words().path().at(stream.path());
     const Telemetry& now = machine.telemetry();
     PanelStatus status;
     status.state = state(stream);
@@ -128,7 +145,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
     status.rate_percent = 100 * now.rate;
     status.override_percent = stream.override_percent();
     const double left_s = path().time_s() - path().at(stream.path()).time_s;
-    const double raised = forecast_ ? 1 : parts_.words.raised();
+    const double raised = forecast_ ? 1 : stream.words().raised();
     status.left_s = left_s * raised * 100 / status.override_percent;
     status.line = place.line;
     status.queues = {
@@ -139,6 +156,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
         status.outputs = {CURVECORE_FIELD(word, OUTPUTS_BITS),
                           CURVECORE_FIELD(word, OUTPUTS_POWER) / double{hls::kMostLevel}};
     }
+    if (stream.begin() > 0) status.from = from_text(stream);
     status.faults = fault_names(stream.faults());
     return status;
 }

@@ -46,6 +46,8 @@ class StreamPanel {
     PanelStatus status(const WireStream& stream);
     std::string state(const WireStream& stream) const;
     void tell_wait(const WireStream& stream);
+    void tell_begin(const WireStream& stream);
+    std::string from_text(const WireStream& stream) const;
     void show(PanelStatus status);
     void log(const PanelStatus& status);
 
@@ -57,7 +59,8 @@ class StreamPanel {
     const Encoders* encoders_ = nullptr;
     std::vector<std::int32_t> begin_;  // steps
     WireClock::time_point shown_;
-    std::string wait_;  // for a person, as it was said; empty: none
+    std::uint64_t told_begin_ = 0;  // WireStream::begin()
+    std::string wait_;              // for a person, as it was said; empty: none
     PanelStatus last_;
     std::vector<std::string> log_;
     std::optional<PageServer> page_;  // last member: its thread uses the others

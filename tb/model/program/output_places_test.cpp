@@ -82,6 +82,18 @@ TEST(OutputPlaces, ALaserIsDarkInRapidsAndFollowsTheFeedWithM4) {
     EXPECT_EQ(values(planned, OutputKind::kLevel), (std::vector<double>{1, 0, 1, 0, 0.25, 0}));
 }
 
+TEST(OutputPlaces, ARestStatesAllOutputsWhereItBegins) {
+    const Planned planned =
+        plan("M4 S1000\nG1 X10 F600\nG0 X20\nM3\nG1 X30\nM2\n", [](sysc::Options& options) {
+            options.rules.laser = true;
+            options.from_mm = 15;
+        });
+    for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(planned.outputs.at(n).place, 0U);
+    EXPECT_EQ(values(planned, OutputKind::kBits), (std::vector<double>{1, 0}));
+    EXPECT_EQ(values(planned, OutputKind::kFollow), (std::vector<double>{0}));
+    EXPECT_EQ(values(planned, OutputKind::kLevel), (std::vector<double>{0, 1, 0}));
+}
+
 TEST(OutputPlaces, NothingButOutputsStaysOnAtTheEnd) {
     const Planned planned = plan("M3 S1000\nM8\nM62 P2\nG1 X1 F600\nM2\n");
     EXPECT_EQ(values(planned, OutputKind::kBits), (std::vector<double>{1 + 8 + 64, 64}));

@@ -101,6 +101,32 @@ TEST(PlannedPath, ItsPointsAreOnThePath) {
     EXPECT_EQ(nlohmann::json::parse(path.json(5))["points"].size(), json["points"].size() - 5);
 }
 
+TEST(PlannedPath, KnowsWhereTheProgramRestsBehindWhatWasDrawnBefore) {
+    const sysc::Job job = sysc::JobStream(options_of("G1 X1 F600\nG4 P1\nG1 X2\nM2\n")).all();
+    ref::Plan part;
+    static_cast<ref::PlanFrame&>(part) = job.plan;
+    std::uint64_t rest = 0;
+    bool rests = false;
+    for (std::size_t n = 0; n < job.plan.segments.size(); ++n) {
+        part.segments.push_back(job.plan.segments[n]);
+    }
+    for (std::size_t n = 0; n < job.plan.pieces.size(); ++n) {
+        part.pieces.push_back(job.plan.pieces[n]);
+        rests = rests || part.pieces.back().ds == 0;
+        if (!rests) rest += part.pieces.back().ds;
+    }
+    ASSERT_TRUE(rests);
+    constexpr std::uint64_t kBefore = 1'000'000'007;
+    sysc::PlannedPath path(kBefore);
+    path.add(part);
+    EXPECT_EQ(path.at(kBefore + rest / 2).line, 1);
+    EXPECT_FALSE(path.rests_at(kBefore + rest - 1));
+    EXPECT_TRUE(path.rests_at(kBefore + rest));
+    EXPECT_TRUE(path.rests_at(kBefore + rest));
+    EXPECT_FALSE(path.rests_at(kBefore + rest + 1));
+    EXPECT_EQ(path.at(kBefore + rest + 1).line, 3);
+}
+
 TEST(PlannedPath, HasPointsForAScreenHoweverLong) {
     const sysc::Job job = sysc::JobStream(options_of("G1 X1 F600\nM2\n")).all();
     ref::Plan part;
@@ -158,10 +184,12 @@ TEST(PanelLines, AreNoLongerThanTheTerminal) {
     status.outputs = {5, 0.5};
     status.left_s = 61.2;
     status.faults = "e-stop";
+    status.from = "1.5mm";
     const std::vector<std::string> wide = sysc::panel_lines(status, 200);
     const std::string text = fmt::format("{}", fmt::join(wide, "\n"));
-    for (const char* part : {"X -1234.568", "outputs 0-2-----", "power 50 %", "1:02 left",
-                             "following error  X 0.0100 mm", "runs: e-stop", "at least"}) {
+    for (const char* part :
+         {"X -1234.568", "outputs 0-2-----", "power 50 %", "1:02 left",
+          "following error  X 0.0100 mm", "runs: e-stop", "at least", "went on --from 1.5mm"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
     }
     for (const std::string& line : sysc::panel_lines(status, 20)) EXPECT_LE(line.size(), 20U);

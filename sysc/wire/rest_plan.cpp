@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/rest_plan.hpp"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "ref/format/path_words.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Time of the last change of a file; the least one: it is gone.
+std::filesystem::file_time_type written(const std::string& file) {
+    std::error_code gone;
+    return std::filesystem::last_write_time(file, gone);
+}
+
+}  // namespace
+
+RestPlan::RestPlan(Options options, Fits fits)
+    : options_(std::move(options)), fits_(std::move(fits)), written_(written(options_.file)) {}
+
+bool RestPlan::unchanged() const { return written(options_.file) == written_; }
+
+bool RestPlan::plan(const DrawnBefore& before, double percent) {
+    if (plans()) return false;
+    Options options = options_;
+    options.from_mm += static_cast<double>(before.path) / ref::kQuantaPerUnit * options.unit_mm;
+    options.override_percent = percent;
+    planned_ = std::async(std::launch::async, [options, before] {
+        auto words = std::make_unique<WordSource>(options, machine_of(options), before);
+        words->settings();
+        return words;
+    });
+    return true;
+}
+
+bool RestPlan::plans() const {
+    return planned_.valid() &&
+           planned_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
+std::unique_ptr<WordSource> RestPlan::take() {
+    if (plans()) return nullptr;
+    try {
+        std::unique_ptr<WordSource> rest = planned_.get();
+        return unchanged() ? std::move(rest) : nullptr;
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
+}  // namespace curvecore::sysc
