@@ -15,6 +15,7 @@
 
 #include "sysc/board/board.hpp"
 #include "sysc/job/job_stream.hpp"
+#include "sysc/link/link.hpp"
 #include "sysc/panel/planned_path.hpp"
 #include "sysc/words/bus_words.hpp"
 
