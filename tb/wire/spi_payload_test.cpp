@@ -44,9 +44,8 @@ TEST(SpiPayload, IsMostOfTheLinesBits) {
     const std::uint64_t begin = pins.clock();
     while (left() > 0 && machine.telemetry().segment_room > 100) {
         for (;;) {
-            const auto [segments, pieces] =
-                machine.push(planned.segments, planned.pieces,
-                             {planned.segments.size(), planned.pieces.size()});
+            const auto [segments, pieces] = machine.push(
+                planned.segments, planned.pieces, {planned.segments.size(), planned.pieces.size()});
             if (segments + pieces == 0) break;
         }
         machine.work();
