@@ -6,8 +6,8 @@
     baud                    of the UART
     parameters              of rtl/motion_board.sv; the other ones follow or have their defaults
     pins                    names of balls or pins; of step, direction and limit one for each axis;
-                            and where there are any probe, home, encoder_a, encoder_b, outputs (one
-                            to eight), pwm
+                            and where there are any probe, home, encoder_a, encoder_b; outputs (one
+                            to eight) and pwm, which the parameter Outputs uses, or nothing does
     loader                  where openFPGALoader knows the board, its name there
     board, where            for people
 """
@@ -24,7 +24,8 @@ FOLDER = ROOT / "scripts" / "boards"
 TOP = "motion_board"
 PINS = ("clk", "uart_rx", "uart_tx", "step", "direction", "enable", "estop", "limit")
 INPUTS = ("probe", "home", "encoder_a", "encoder_b")
-OPTIONAL = (*INPUTS, "outputs", "pwm")
+OUTPUTS = ("outputs", "pwm")
+OPTIONAL = (*INPUTS, *OUTPUTS)
 PULLED_UP = ("uart_rx", "estop", "limit", *INPUTS)
 OF_AXES = ("step", "direction", "limit", "home", "encoder_a", "encoder_b")
 BAUD_ERROR = 0.02  # a byte of ten bits is sampled in their middle: half a bit off in 9.5 is 5 %
@@ -93,7 +94,9 @@ def board_named(name, given=()):
         check_keys(table, [field.name for field in dataclasses.fields(Board)
                            if field.name not in ("name", "loader")], ["loader"], "a board")
         values = {name: str(value) for name, value in table["parameters"].items()} | dict(given)
-        board = Board(**table | {"name": file.stem, "parameters": values})
+        used = {name: pin for name, pin in table["pins"].items()
+                if name not in OUTPUTS or values.get("Outputs", "0") != "0"}
+        board = Board(**table | {"name": file.stem, "parameters": values, "pins": used})
         check(board)
         return board
     except (ValueError, KeyError, TypeError, AttributeError) as error:

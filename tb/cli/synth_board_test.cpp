@@ -113,6 +113,18 @@ TEST(SynthBoard, InputsThatABoardMayHaveAreThereOrTied) {
                         synth.read("out/boards/mine/board.lpf"));
 }
 
+TEST(SynthBoard, OutputsOfABoardAreUsedWithTheirParameterAlone) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "ulx3s_85"}).status, 0);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "pwm", synth.read("out/boards/ulx3s_85/board.lpf"));
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "output pwm", synth.read("out/boards/ulx3s_85/top.v"));
+    EXPECT_EQ(synth.synth({"--board", "ulx3s_85", "--set", "Outputs=1024"}).status, 0);
+    EXPECT_PRED_FORMAT2(IsSubstring, "LOCATE COMP \"pwm\" SITE \"B1\";\n",
+                        synth.read("out/boards/ulx3s_85/board.lpf"));
+    EXPECT_PRED_FORMAT2(IsSubstring, "output [7:0] outputs, output pwm",
+                        synth.read("out/boards/ulx3s_85/top.v"));
+}
+
 TEST(SynthBoard, OutputsThatABoardMayHaveAreThereOrOpen) {
     const SynthRun synth(kTools);
     EXPECT_EQ(synth.synth({"--board", "colorlight_i5"}).status, 0);
@@ -211,9 +223,9 @@ const std::vector<BadBoard> kBadBoards{
     {"HalfAnEncoder", R"({"pins": {"encoder_a": ["P1", "P2", "P4"]}})",
      "encoders have pins encoder_a and encoder_b, and the parameter Encoders"},
     {"EncodersWithoutPins", R"({"parameters": {"Encoders": 3}})", "encoders have pins encoder_a"},
-    {"OutputsWithoutPins", R"({"parameters": {"Outputs": 64}})",
+    {"OutputsWithoutPins",
+     R"({"pins": {"outputs": null, "pwm": null}, "parameters": {"Outputs": 64}})",
      "outputs have pins outputs, eight"},
-    {"PwmWithoutTheParameter", R"({"pins": {"pwm": "P1"}})", "and the parameter Outputs"},
     {"NineOutputs", R"({"pins": {"outputs": ["A1", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9"]},
                         "parameters": {"Outputs": 64}})",
      "outputs, eight at most"},
