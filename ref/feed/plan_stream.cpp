@@ -368,7 +368,7 @@ Plan PlanStream::part(Window& window, std::size_t first, std::size_t end) {
     return plan;
 }
 
-/// Adds stop branches; where a part does not end at rest, they end before what is not planned yet.
+/// Adds stop branches; where a part does not end at rest, their stops end in it.
 void PlanStream::add_branches(const Window& window, std::size_t first, std::size_t end,
                               Plan& plan) const {
     Geometry own;
@@ -378,13 +378,12 @@ void PlanStream::add_branches(const Window& window, std::size_t first, std::size
     }
     set_branches(program_, machine_, own, options_, plan);
     if (end == window.geometry.moves.size()) return;
-    const auto reach = static_cast<double>(stop_reach(machine_, plan.tick_s)) + kStopLead;
     double left = ticks_of(plan.pieces);
     std::size_t piece = 0;
     std::size_t kept = 0;
     for (const PlannedBranch& branch : plan.branches) {
         for (; piece < branch.piece; ++piece) left -= plan.pieces[piece].ticks;
-        if (left < reach) break;
+        if (left < kStopLead + 1 + ticks_passed(branch.steps)) break;
         ++kept;
     }
     plan.branches.resize(kept);

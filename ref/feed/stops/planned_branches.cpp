@@ -29,21 +29,6 @@ Reach branch_distance(const PieceGrid& grid) {
             static_cast<std::uint64_t>(kApartPath / grid.quantum)};
 }
 
-/// Ticks of the profile that pass during a stop.
-double passed(const StopSteps& steps) {
-    double sum = 0;
-    double rate = 1;
-    double slope = 0;
-    for (const StopStep& step : steps) {
-        const double n = step.ticks;
-        const double change = std::ldexp(step.change, -32);
-        sum += n * rate + n * (n + 1) / 2 * (slope + change * (n + 2) / 3);
-        rate += n * slope + n * (n + 1) / 2 * change;
-        slope += n * change;
-    }
-    return sum;
-}
-
 class BranchPlanner {
   public:
     BranchPlanner(const Program& program, const Machine& machine, const Geometry& geometry,
@@ -135,7 +120,7 @@ class BranchPlanner {
             const PlannedBranch& last = branches_.back();
             const auto before = static_cast<double>(due_[last.piece]);
             course_.forget_before(before);
-            if (course_.even(before, due + passed(last.steps) + 1)) return last.steps;
+            if (course_.even(before, due + ticks_passed(last.steps) + 1)) return last.steps;
         }
         return stop_steps(course_, due_[piece]);
     }
@@ -165,6 +150,20 @@ bool carries_branches(const Machine& machine, const PlanOptions& options, const 
            kProfileBusWords;
 }
 
+double ticks_passed(const StopSteps& steps) {
+    double sum = 0;
+    double rate = 1;
+    double slope = 0;
+    for (const StopStep& step : steps) {
+        const double n = step.ticks;
+        const double change = std::ldexp(step.change, -32);
+        sum += n * rate + n * (n + 1) / 2 * (slope + change * (n + 2) / 3);
+        rate += n * slope + n * (n + 1) / 2 * change;
+        slope += n * change;
+    }
+    return sum;
+}
+
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
                   const PlanOptions& options, Plan& plan) {
     BranchPlanner planner(program, machine, geometry, options, plan);
@@ -175,7 +174,7 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     double most = 0;
     std::uint32_t wait = kStopLead;
     for (const PlannedBranch& branch : plan.branches) {
-        most = std::max(most, std::ceil(wait + passed(branch.steps)));
+        most = std::max(most, std::ceil(wait + ticks_passed(branch.steps)));
         wait = branch.wait;
     }
     if (most > plan.stop_ticks) plan.branches.clear();

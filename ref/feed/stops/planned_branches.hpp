@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/stops/stop_branch.hpp"
 #include "ref/geometry/geometry.hpp"
 
 namespace curvecore::ref {
@@ -16,6 +17,9 @@ bool carries_branches(const Machine& machine, const PlanOptions& options, const 
 /// needed more than plan.stop_ticks. The memory is that of the course of one stop.
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
                   const PlanOptions& options, Plan& plan);
+
+/// Ticks of the profile that pass during a stop.
+double ticks_passed(const StopSteps& steps);
 
 /// Number of words of a branch, and of a plan's pieces with theirs, in the profile queue.
 inline std::size_t branch_words(const PlannedBranch& branch) { return 1 + branch.steps.size(); }

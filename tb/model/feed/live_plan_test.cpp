@@ -123,6 +123,24 @@ TEST_P(LivePlanOf, IsHardlySlowerInShortParts) {
     EXPECT_LT(longest, 1.5);
 }
 
+TEST_P(LivePlanOf, StopsByItsBranchesInMostPlaces) {
+    constexpr double kSoon = 0.3;  // s
+    constexpr double kShare = 0.25;
+    const Planned live = plan(true);
+    HoldRun run(live.plan, ref::Machine{});
+    int holds = 0, late = 0;
+    for (int tick = 1; run.active(); ++tick) {
+        run.tick(1 << 16);
+        if (tick % 97 != 0) continue;
+        HoldRun held = run;
+        late += static_cast<double>(held.stop()) * live.plan.tick_s > kSoon ? 1 : 0;
+        ++holds;
+    }
+    std::cout << fmt::format("{}: {} of {} holds take more than {} s\n", GetParam().name, late,
+                             holds, kSoon);
+    EXPECT_LT(late, kShare * holds);
+}
+
 TEST_P(LivePlanOf, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
     const int runs = cases(2, 100);
     for (int seed = 1; seed <= runs; ++seed) {
