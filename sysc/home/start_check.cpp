@@ -15,14 +15,10 @@ namespace {
 /// Tolerance in steps: a program whose start is nearer begins where the machine stands.
 constexpr double kSameStep = 0.501;
 
-bool stands(std::int32_t place, double start, double scale) {
-    return std::abs(place - start * scale) <= kSameStep;
-}
-
 void check_axis(std::size_t axis, std::int32_t place, const std::array<double, kBoardAxes>& start,
                 const Drives& drives, const char* begins) {
     const double scale = drives.steps_per_mm[axis];
-    if (stands(place, start[axis], scale)) return;
+    if (std::abs(place - start[axis] * scale) <= kSameStep) return;
     throw UsageError(fmt::format("{} stands at {:.6g} mm, and {} at {:.6g} mm",
                                  ref::kAxisLetters[axis], place / scale, begins, start[axis]));
 }
@@ -53,15 +49,6 @@ void keep_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& st
         now[axis] = static_cast<std::int32_t>(std::lround(start[axis] * drives.steps_per_mm[axis]));
     }
     machine.keep_places(now);
-}
-
-bool stands_at(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
-               const Drives& drives) {
-    const std::vector<std::int32_t> places = machine.kept_places();
-    for (std::size_t axis = 0; axis < places.size(); ++axis) {
-        if (!stands(places[axis], start[axis], drives.steps_per_mm[axis])) return false;
-    }
-    return true;
 }
 
 void check_rest(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,

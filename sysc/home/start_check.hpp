@@ -20,10 +20,6 @@ void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& s
 void keep_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
                 const Drives& drives);
 
-/// Returns true if all axes stand at this place, by what keep_start() kept.
-bool stands_at(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
-               const Drives& drives);
-
 /// Checks that the rest of a program, which begins at this place, does so where another host left
 /// all axes. @throws UsageError
 void check_rest(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,

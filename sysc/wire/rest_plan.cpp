@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ref/format/path_words.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -18,10 +19,8 @@ std::filesystem::file_time_type written(const std::string& file) {
 
 }  // namespace
 
-RestPlan::RestPlan(Options options, Fits fits)
-    : options_(std::move(options)), fits_(std::move(fits)), written_(written(options_.file)) {}
-
-bool RestPlan::unchanged() const { return written(options_.file) == written_; }
+RestPlan::RestPlan(Options options, Check check)
+    : options_(std::move(options)), check_(std::move(check)), written_(written(options_.file)) {}
 
 bool RestPlan::plan(const DrawnBefore& before, double percent) {
     if (plans()) return false;
@@ -45,9 +44,18 @@ std::unique_ptr<WordSource> RestPlan::take() {
     if (plans()) return nullptr;
     try {
         std::unique_ptr<WordSource> rest = planned_.get();
-        return unchanged() ? std::move(rest) : nullptr;
+        return written(options_.file) == written_ ? std::move(rest) : nullptr;
     } catch (const std::exception&) {
         return nullptr;
+    }
+}
+
+bool RestPlan::fits(const WordSource& rest) const {
+    try {
+        check_(rest);
+        return true;
+    } catch (const UsageError&) {
+        return false;
     }
 }
 

@@ -14,11 +14,11 @@ namespace curvecore::sysc {
 
 class RestPlan {
   public:
-    using Fits = std::function<bool(const WordSource& rest)>;
+    using Check = std::function<void(const WordSource& rest)>;
 
     /// @param options of the program, which is a file, as planning has completed them
-    /// @param fits returns true if a rest begins where the axes stand
-    RestPlan(Options options, Fits fits);
+    /// @param check throws UsageError if a rest begins elsewhere than where the axes stand
+    RestPlan(Options options, Check check);
 
     /// Begins to plan the rest behind the path drawn, in a thread of its own, at this override.
     /// Returns false if one that nobody waits for any more is still being read.
@@ -29,13 +29,11 @@ class RestPlan {
     /// file has changed.
     std::unique_ptr<WordSource> take();
     /// Returns true if the rest begins where the axes stand, once their last steps are made.
-    bool fits(const WordSource& rest) const { return fits_(rest); }
+    bool fits(const WordSource& rest) const;
 
   private:
-    bool unchanged() const;
-
     Options options_;
-    Fits fits_;
+    Check check_;
     std::filesystem::file_time_type written_;
     std::future<std::unique_ptr<WordSource>> planned_;
 };

@@ -7,7 +7,7 @@ function(formal_test wrapper)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${wrapper})
   cmake_path(GET wrapper STEM module)
   string(REGEX REPLACE "_formal$" "" module ${module})
-  # Names alone: a list of lines with brackets or semicolons has fewer members than lines.
+  # Names alone: in a list of lines one with an open bracket swallows those behind it.
   file(READ ${wrapper} text)
   string(REGEX MATCHALL "\n// control: [A-Za-z0-9_]+" controls "${text}")
   if(NOT controls)

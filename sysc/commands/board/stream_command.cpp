@@ -117,7 +117,7 @@ int stream_command(StreamOptions& asked) {
                       static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
         panel->begin(encoders);
         RestPlan rest(words.options(), [&](const WordSource& planned) {
-            return stands_at(machine, planned.start(), drives);
+            check_rest(machine, planned.start(), drives);
         });
         WireStream stream(machine, words, panel->wishes(), options.override_percent / 100,
                           options.file == ref::kStandardInput ? nullptr : &rest);

@@ -74,11 +74,12 @@ class LivePlanOf : public testing::TestWithParam<Case> {
     };
 
     /// Plans the program; `percent` gives the override before each part.
-    static Planned plan(bool live, const std::function<double(double)>& percent = {}) {
+    static Planned plan(bool live, const std::function<double(double)>& percent = {},
+                        const ref::Machine& machine = {}) {
         sysc::Options options = live_options(fmt::format("G90 G64 P0.01 F{}\n", GetParam().feed) +
                                              GetParam().moves() + "M2\n");
         options.live = live;
-        sysc::JobStream job(options);
+        sysc::JobStream job(options, machine);
         Planned all;
         double time = 0;
         for (;;) {
@@ -142,6 +143,26 @@ TEST_P(LivePlanOf, StopsByItsBranchesInMostPlaces) {
     std::cout << fmt::format("{}: {} of {} holds take more than {} s\n", GetParam().name, late,
                              holds, kSoon);
     EXPECT_LT(late, kShare * holds);
+}
+
+TEST_P(LivePlanOf, HoldsKeepTheLimitsAtAnyRateWithASlowAxis) {
+    ref::Machine machine;
+    machine.axis[1].velocity = machine.velocity / 10;
+    machine.axis[1].acceleration = machine.acceleration / 10;
+    machine.axis[1].jerk = machine.jerk / 10;
+    const Planned live = plan(true, {}, machine);
+    const int every = static_cast<int>(live.plan.duration_s / live.plan.tick_s) / cases(60, 600);
+    for (const double rate : {1.0, 0.99, 0.8, 0.6, 0.3}) {
+        HoldRun run(live.plan, machine);
+        const auto target = static_cast<std::int32_t>(std::lround(rate * (1 << 16)));
+        for (int tick = 1; run.active(); ++tick) {
+            run.tick(target);
+            if (tick % every != 0) continue;
+            HoldRun held = run;
+            held.stop();
+            EXPECT_LE(held.finish().most(), 1) << rate << ", tick " << tick;
+        }
+    }
 }
 
 TEST_P(LivePlanOf, KeepsTheLimitsWhereFeedsAreRaisedAndTimeIsScaled) {
