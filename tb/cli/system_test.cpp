@@ -128,7 +128,7 @@ TEST_F(System, ReportsThatTheHostStarvedTheQueues) {
             return report["starved"].get<int>();
         };
         EXPECT_EQ(starved("host=1s,jitter=100ms", 0), 0) << blocks;
-        EXPECT_GT(starved("host=2s", 1), 0) << blocks;
+        EXPECT_GT(starved("host=4s", 1), 0) << blocks;
     }
 }
 

@@ -145,7 +145,7 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 5);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 11842910594935852400u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 17740001829722736035u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 8101621518398139246u);
 }
 
 }  // namespace

@@ -127,10 +127,13 @@ bool goes_back(const Knot& from, const Knot& to) {
 void append_cubic(const Run& run, const Knot& from, const Knot& to, const PieceGrid& grid,
                   std::vector<ProfilePiece>& pieces) {
     const std::uint64_t ticks = to.tick - from.tick;
+    const std::uint64_t parts = grid.longest.parts(ticks, to.s - from.s);
     std::uint64_t first = ticks / 2;  // ticks of the first of two pieces
     if (ticks >= 2 * grid.shortest && goes_back(from, to)) {
         first = to.v > from.v ? ticks - grid.shortest : grid.shortest;
-    } else if (grid.longest.holds(ticks, to.s - from.s)) {
+    } else if (parts > 1) {
+        first = ticks * (parts / 2) / parts;
+    } else {
         const ProfilePiece piece = cubic(from, to);
         if (piece.exponent <= kMaxPlannedExponent || ticks == 1) {
             pieces.push_back(piece);

@@ -7,6 +7,8 @@
 // integers give. The fields' widths and places on the bus are those of hls/words.hpp.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "ref/feed/ramps/zone_ramps.hpp"
@@ -25,8 +27,13 @@ struct Reach {
     std::uint64_t slow_ticks = 0;
     std::uint64_t path = 0;  // quanta
 
-    bool holds(std::uint64_t time, std::uint64_t gone) const {
-        return time <= ticks || (time <= slow_ticks && gone <= path);
+    /// Returns the number of such pieces, alike, that a motion at constant speed takes.
+    std::uint64_t parts(std::uint64_t time, std::uint64_t gone) const {
+        const auto shares = [](std::uint64_t whole, std::uint64_t most) {
+            return most == 0 ? whole : (whole + most - 1) / most;
+        };
+        const std::uint64_t slow = std::max(shares(time, slow_ticks), shares(gone, path));
+        return std::max<std::uint64_t>(1, std::min(shares(time, ticks), slow));
     }
 };
 

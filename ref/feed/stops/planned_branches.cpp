@@ -14,20 +14,11 @@ namespace {
 
 // Distances between branches: some tenth of a stop from full speed; or this little path, while the
 // stop, a short one then, does not get long by it.
-constexpr double kApartTime = 30e-3;     // s
+constexpr double kApartTime = 24e-3;     // s
 constexpr double kSlowApartTime = 0.15;  // s
 constexpr double kApartPath = 0.5;       // mm
-constexpr std::uint64_t kParts = 2;      // parts of it that pieces leave at least
-constexpr double kWordShare = 0.95;      // share of the words that a queue carries: branches differ
-
-Reach branch_distance(const PieceGrid& grid) {
-    const auto ticks = [&](double time) {
-        return std::max<std::uint64_t>(kStopLead + 1,
-                                       static_cast<std::uint64_t>(std::floor(time / grid.tick)));
-    };
-    return {ticks(kApartTime), ticks(kSlowApartTime),
-            static_cast<std::uint64_t>(kApartPath / grid.quantum)};
-}
+constexpr double kSpareShare = 0.05;     // share of a queue for what is not sent steadily:
+constexpr double kCutWords = 112;        // branches that are cut at its ends, and closer ones
 
 class BranchPlanner {
   public:
@@ -35,8 +26,11 @@ class BranchPlanner {
                   const PlanOptions& options, const Plan& plan)
         : course_(program, machine, geometry, plan, kStopShare),
           reach_(static_cast<double>(stop_reach(machine, plan.tick_s))),
-          distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})),
-          words_per_tick_(kWordShare * covered_words(options, plan)),
+          distance_(longest_piece({machine, plan.unit_mm, plan.tick_s})),
+          most_spare_(std::max(0.0, kSpareShare * covered_words(options) - kCutWords)),
+          spare_(most_spare_),
+          words_per_tick_(std::max(0.0, 1 - (kCutWords + most_spare_) / covered_words(options)) *
+                          covered_words(options, plan)),
           branch_steps_(static_cast<std::size_t>(options.core.branch_steps)) {
         std::uint64_t start = 0;
         std::uint64_t s = 0;
@@ -84,6 +78,7 @@ class BranchPlanner {
                 --piece;
             }
             if (steps.empty() || !loaded(piece, steps.size()) || !carried(piece)) continue;
+            spare_ = std::min(most_spare_, spare_at(piece));
             branches_.push_back({piece, 1, std::move(steps)});
             next_ = piece + 1;
             while (next_ < due_.size() && due_[next_] <= due_[piece] + kStopLead) ++next_;
@@ -93,18 +88,21 @@ class BranchPlanner {
     bool near(std::size_t piece) const {
         if (branches_.empty() || due_[piece] >= end_) return false;
         const std::size_t last = branches_.back().piece;
-        return distance_.holds(due_[piece] - due_[last], path_[piece] - path_[last]);
+        return distance_.parts(due_[piece] - due_[last], path_[piece] - path_[last]) == 1;
     }
 
-    /// Returns true if the queue carries the words since then with one more branch like the last
-    /// one.
-    bool carried(std::size_t piece) const {
-        if (branches_.empty()) return true;
+    /// Returns the words of the queue that are left for closer branches: from branch to branch the
+    /// words are at most those that it carries steadily, and most_spare_.
+    double spare_at(std::size_t piece) const {
+        if (branches_.empty()) return most_spare_;
         const PlannedBranch& last = branches_.back();
         const double words = static_cast<double>(branch_words(last)) +
                              kProfileBusWords * static_cast<double>(piece - last.piece);
-        return words <= words_per_tick_ * static_cast<double>(due_[piece] - due_[last.piece]);
+        return spare_ + words_per_tick_ * static_cast<double>(due_[piece] - due_[last.piece]) -
+               words;
     }
+    /// Returns true if the queue carries the words since then.
+    bool carried(std::size_t piece) const { return spare_at(piece) >= 0; }
 
     /// Returns true if the core loads so many steps, and what stands before and behind them, in the
     /// ticks of the piece before.
@@ -128,6 +126,8 @@ class BranchPlanner {
     ProfileCourse course_;
     double reach_;
     Reach distance_;
+    double most_spare_;  // words
+    double spare_;       // behind the last branch
     double words_per_tick_;
     std::size_t branch_steps_;
     std::vector<std::uint64_t> due_;   // ticks, of the pieces
@@ -140,8 +140,12 @@ class BranchPlanner {
 }  // namespace
 
 Reach longest_piece(const PieceGrid& grid) {
-    const Reach distance = branch_distance(grid);
-    return {distance.ticks / kParts, distance.slow_ticks / kParts, distance.path / kParts};
+    const auto ticks = [&](double time) {
+        return std::max<std::uint64_t>(kStopLead + 1,
+                                       static_cast<std::uint64_t>(std::floor(time / grid.tick)));
+    };
+    return {ticks(kApartTime), ticks(kSlowApartTime),
+            static_cast<std::uint64_t>(kApartPath / grid.quantum)};
 }
 
 bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan) {

@@ -8,7 +8,8 @@
 
 namespace curvecore::ref {
 
-/// Longest piece of a plan that has branches: they stand between pieces.
+/// Distance between branches, and so the longest piece of a plan that has them: they stand between
+/// pieces.
 Reach longest_piece(const PieceGrid& grid);
 /// Returns true if the queue lasts for a stop with pieces as short as that.
 bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan);

@@ -71,9 +71,12 @@ void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow
 
 }  // namespace
 
+double covered_words(const PlanOptions& options) {
+    return static_cast<double>(room(options.profile_queue_words));
+}
+
 double covered_words(const PlanOptions& options, const Plan& plan) {
-    return static_cast<double>(room(options.profile_queue_words)) /
-           static_cast<double>(needed_ticks(plan));
+    return covered_words(options) / static_cast<double>(needed_ticks(plan));
 }
 
 Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const Plan& plan) {

@@ -33,7 +33,9 @@ Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const 
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
                           std::size_t given, int round, std::vector<Slowed>& moves);
 
-/// Words of the profile per tick that the queue carries for the time of a stop of the plan.
+/// Words of the profile that count, and those per tick that the queue carries for a stop
+/// of the plan.
+double covered_words(const PlanOptions& options);
 double covered_words(const PlanOptions& options, const Plan& plan);
 
 }  // namespace curvecore::ref
