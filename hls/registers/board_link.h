@@ -20,7 +20,9 @@
 #define CURVECORE_QUESTIONS 16
 /* Epochs of frames, which the length of an answer identifies. Frames sent before the epoch began
  * are taken when that answer comes, or were lost or overtaken: then they are sent again at once,
- * and so are those behind them. An epoch lasts until one of its frames is answered. */
+ * and so are those behind them. An epoch lasts until one of its frames is answered, or goes again;
+ * no other begins while answers of as many may still come, or a late one would be taken for one of
+ * these. */
 #define CURVECORE_EPOCHS 5
 /* Frames repeated at once: if many are lost, few are taken before the next missing one. */
 #define CURVECORE_MOST_REPEATED 16
@@ -32,6 +34,11 @@
 #define CURVECORE_LATE 0x100000
 /* Least time, ns, until an unanswered frame is repeated; also while no round trip is known. */
 #define CURVECORE_UNANSWERED 25000000
+/* The time until something goes again doubles while nothing that was sent since is answered, so
+ * often, up to this, ns, or two round trips: else all that waits before a slow board would never
+ * get less. */
+#define CURVECORE_MOST_DOUBLED 6
+#define CURVECORE_AGAIN 250000000
 
 /* A frame under way. */
 struct curvecore_sent {
@@ -83,7 +90,8 @@ struct curvecore_link {
     struct curvecore_frame question;
     int words_asked, questions, of_itself;
     int64_t asked, transmitted, numbered, waits_since, deviation;
-    int waits, polls, backoff, epoch;
+    int waits, polls, epoch, epochs; /* epochs begun since that of the latest answer */
+    int doubled, asked_again; /* doublings: of frames with a number, of questions */
     uint32_t reach[CURVECORE_EPOCHS]; /* numbers up to this were sent before the epoch */
 };
 
@@ -99,7 +107,6 @@ static inline void curvecore_start(struct curvecore_link* link,
     link->window = window;
     link->poll_period = 1000000;
     link->deviation = 50000000;
-    link->backoff = 1;
 }
 
 /* Reads words from this address on with each frame; before the first curvecore_work(). */
@@ -175,7 +182,7 @@ static inline void curvecore_open(struct curvecore_link* link, uint32_t first) {
 /* Forgets the board, which is gone or has another master: it is asked again what it is. */
 static inline void curvecore_lose(struct curvecore_link* link) {
     link->phase = CURVECORE_UNKNOWN;
-    link->asks = link->opening = link->waits = 0;
+    link->asks = link->opening = link->waits = link->asked_again = link->doubled = 0;
 }
 
 /* Returns the ns for which something is unanswered. */
@@ -230,6 +237,8 @@ static inline int curvecore_under_way(struct curvecore_link* link, int kind) {
 }
 
 static inline void curvecore_begin_epoch(struct curvecore_link* link) {
+    if (link->epochs == CURVECORE_EPOCHS - 1) return;
+    ++link->epochs;
     link->epoch = (link->epoch + 1) % CURVECORE_EPOCHS;
     link->reach[link->epoch] = link->number;
 }
@@ -259,16 +268,34 @@ static inline void curvecore_measure(struct curvecore_link* link, int64_t seen) 
 
 static inline int64_t curvecore_longer(int64_t a, int64_t b) { return a > b ? a : b; }
 
-/* Time until another question: two round trips, so that a slow board does not drown in them. */
+/* Returns the time until something goes again, after so many doublings. */
+static inline int64_t curvecore_doubled(int64_t time, int doublings) {
+    const int64_t more = time << doublings;
+    return more < CURVECORE_AGAIN ? more : curvecore_longer(time, CURVECORE_AGAIN);
+}
+
+/* Time until another question: two round trips at first. */
 static inline int64_t curvecore_unanswered(const struct curvecore_link* link) {
-    return link->round_trip == 0 ? CURVECORE_UNANSWERED
-                                 : 2 * curvecore_longer(link->round_trip, link->poll_period);
+    const int64_t trip = curvecore_longer(link->round_trip, link->poll_period);
+    return curvecore_doubled(link->round_trip == 0 ? CURVECORE_UNANSWERED : 2 * trip,
+                             link->asked_again);
+}
+
+/* Notes that a question goes again. */
+static inline void curvecore_ask_again(struct curvecore_link* link) {
+    if (link->asked_again < CURVECORE_MOST_DOUBLED) ++link->asked_again;
+}
+
+/* Notes an answer to something of late. */
+static inline void curvecore_answered(struct curvecore_link* link) {
+    link->waits = link->asked_again = 0;
 }
 
 /* Time until the same frame goes again. */
 static inline int64_t curvecore_patience(const struct curvecore_link* link) {
-    const int64_t wait = link->backoff * (link->round_trip + 4 * link->deviation);
-    return curvecore_longer(wait, curvecore_longer(2 * link->poll_period, CURVECORE_UNANSWERED));
+    const int64_t wait = link->round_trip + 4 * link->deviation;
+    const int64_t least = curvecore_longer(2 * link->poll_period, CURVECORE_UNANSWERED);
+    return curvecore_doubled(curvecore_longer(wait, least), link->doubled);
 }
 
 /* Asks, reports that the host is alive, repeats what is overdue: now and then, when all answers
@@ -278,25 +305,28 @@ static inline void curvecore_work(struct curvecore_link* link, int64_t now) {
     if (link->asks) {
         if (now - link->asked >= curvecore_unanswered(link)) {
             link->asked = now;
+            curvecore_ask_again(link);
             curvecore_transmit(link, &link->question, now);
         }
     } else if (link->phase == CURVECORE_UNKNOWN || link->opening) {
         if (link->phase == CURVECORE_KNOWN || link->frames == 0 || since >= CURVECORE_UNANSWERED) {
             curvecore_ask_board(link, now);
         }
-    } else if (link->phase == CURVECORE_OPEN && link->count == 0 && link->live_period > 0 &&
-               (link->polls >= CURVECORE_MOST_POLLS ||
-                now - link->numbered >= link->live_period)) {
+    }
+    if (link->phase == CURVECORE_OPEN && link->count == 0 && link->live_period > 0 &&
+        (link->polls >= CURVECORE_MOST_POLLS || now - link->numbered >= link->live_period)) {
         curvecore_begin(link);
         curvecore_send(link, 0, 0, now);
-    } else if (since >= (link->waits ? curvecore_unanswered(link) : link->poll_period)) {
+    } else if (!link->asks && link->phase != CURVECORE_UNKNOWN && !link->opening &&
+               since >= (link->waits ? curvecore_unanswered(link) : link->poll_period)) {
+        if (link->waits) curvecore_ask_again(link);
         curvecore_transmit_reading(link, 0, now);
         ++link->polls;
     }
     if (link->phase == CURVECORE_OPEN && link->count > 0 &&
         now - curvecore_sent_at(link, 0)->sent >= curvecore_patience(link)) {
         curvecore_repeat(link, now);
-        if (link->backoff < 4) link->backoff *= 2;
+        if (link->doubled < CURVECORE_MOST_DOUBLED) ++link->doubled;
     }
 }
 
@@ -324,20 +354,26 @@ static inline void curvecore_know(struct curvecore_link* link) {
 static inline enum curvecore_news curvecore_obeyed(struct curvecore_link* link, uint32_t number,
                                                    int epoch, int64_t now) {
     const int32_t taken = (int32_t)(number - (link->number - (uint32_t)link->count));
+    const int back = (link->epoch - epoch + CURVECORE_EPOCHS) % CURVECORE_EPOCHS;
     int n;
     if (taken < 0 && taken > -CURVECORE_LATE) return CURVECORE_OLD;
     if (taken < 0 || taken > link->count) return CURVECORE_FOREIGN;
     for (n = 0; n < taken; ++n) {
         const struct curvecore_sent* sent = curvecore_sent_at(link, 0);
-        if (!sent->repeated) curvecore_measure(link, now - sent->sent);
+        if (!sent->repeated) { /* Karn: of the others, nobody knows which was answered */
+            curvecore_measure(link, now - sent->sent);
+            link->doubled = 0;
+        }
         link->first = (link->first + 1) % link->window;
         --link->count;
-        link->backoff = 1;
     }
+    if (back > link->epochs) return CURVECORE_STATUS; /* it was overtaken */
+    link->epochs = back;
+    if (back == 0) curvecore_answered(link);
     /* The answer's request followed the first remaining frame, and did not meet it. */
     if (link->count > 0 && (int32_t)(link->reach[epoch] - number) > 0) {
         curvecore_repeat(link, now);
-    } else if (epoch == link->epoch) {
+    } else if (back == 0) {
         curvecore_begin_epoch(link);
     }
     return CURVECORE_STATUS;
@@ -354,16 +390,17 @@ static inline enum curvecore_news curvecore_take(struct curvecore_link* link, co
     if (length % 4 != 0) return CURVECORE_OLD;
     if (link->asks && marks == of_question) {
         for (n = 0; n < link->words_asked; ++n) link->answer[n] = curvecore_word(bytes, n);
-        link->asks = link->waits = 0;
+        link->asks = 0;
+        curvecore_answered(link);
         if (link->of_itself) curvecore_know(link);
         return CURVECORE_ANSWER;
     }
     if (link->phase == CURVECORE_OPEN && marks >= 1 && marks <= CURVECORE_EPOCHS) {
+        if (link->waits) link->waits_since = now;
         news = curvecore_obeyed(link, curvecore_word(bytes, link->words_always), marks - 1, now);
-        link->waits = news == CURVECORE_FOREIGN ? link->waits : 0;
     } else if (link->phase == CURVECORE_KNOWN && marks == CURVECORE_EPOCHS + 1) {
         link->number = curvecore_word(bytes, link->words_always);
-        link->waits = 0;
+        curvecore_answered(link);
     } else {
         return CURVECORE_OLD;
     }

@@ -21,6 +21,7 @@ struct Network {
     double late = 0;           // share of all that arrive, by up to late_s, so that others overtake
     double late_s = 0.05;      // s
     double latency_s = 0.001;  // s, each way
+    double frame_s = 0;        // s from one frame that the board takes to the next, at least
 };
 
 /// Link to a virtual board, which runs for the time that its host waits.
@@ -45,6 +46,11 @@ class LossyLink : public Link {
         const std::chrono::duration<double> passed(static_cast<double>(board_.clocks()) /
                                                    board_.times().clock_hz);
         return WireClock::time_point(std::chrono::duration_cast<WireClock::duration>(passed));
+    }
+
+    /// Lets the board take no frame for so long.
+    void sleep(double time_s) {
+        takes_ = board_.clocks() + clocks_of(std::chrono::duration<double>(time_s));
     }
 
     std::uint64_t lost() const { return lost_; }
@@ -93,9 +99,10 @@ class LossyLink : public Link {
 
     /// Advances the clock as a board behind UDP: the next frame goes in when the last is answered.
     void clock() {
-        if (board_.taken() && !asked_) {
+        if (board_.taken() && !asked_ && board_.clocks() >= takes_) {
             if (const std::optional<Bytes> frame = arrived(kToBoard)) {
                 board_.offer(*frame);
+                sleep(network_.frame_s);
                 asked_ = contents_of(*frame).words_read > 0;
             }
         }
@@ -110,6 +117,7 @@ class LossyLink : public Link {
     std::multimap<std::uint64_t, Bytes> way_[2];  // by clock of arrival
     unsigned number_[2] = {0, 0};
     bool asked_ = false;
+    std::uint64_t takes_ = 0;  // clock from which on the board takes a frame
     std::uint64_t lost_ = 0;
     std::uint64_t doubled_ = 0;
     std::uint64_t late_ = 0;

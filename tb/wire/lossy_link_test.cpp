@@ -14,12 +14,12 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Words, in 1.2 s: more than the board's queue of profile words holds.
+/// Words, in 1.9 s: more than the board's queue of profile words holds.
 constexpr const char* kPart =
     "G21 G90 G61 F6000\n"
     "G1 X8 Y1 Z1\nG3 X12 Y5 I0 J4\nG5 X15 Y12 I0 J3 P-2 Q-2\nG3 X9 Y12 Z3 I-3 J0\n"
     "G2 X3 Y12 I-3 J0\nG5 X0 Y5 I0 J-3 P1 Q2\nG3 X4 Y1 I4 J0\nG1 X12\nG3 X12 Y9 I0 J4\n"
-    "G2 X12 Y17 Z0 I0 J4\nG1 X20\nM2\n";
+    "G2 X12 Y17 Z0 I0 J4\nG1 X20\nG3 X20 Y25 I0 J4\nG1 X4\nG2 X4 Y33 I0 J4\nM2\n";
 
 /// Steps: clock from the first step, axis, direction.
 using Steps = std::vector<std::array<std::int64_t, 3>>;
@@ -93,6 +93,27 @@ TEST_F(LossyLinks, BadOneChangesNoClock) {
     EXPECT_GT(good_.steps.size(), 40'000U);
     EXPECT_EQ(good_.figures.repeated, 0U);
     expect_the_same_clocks(1, 2);
+}
+
+/// A board that slept for 2 s is asked no more than it answers: what waits before it gets less.
+/// With all places for frames full, each command would take 0.5 s.
+TEST(SlowBoard, IsNotDrownedInQuestions) {
+    Network slow;
+    slow.frame_s = 2e-3;
+    LossyLink link(slow, [](const VirtualStep&) {});
+    RemoteMachine machine(link, 1);
+    const auto time_of = [&](int commands) {
+        const WireClock::time_point begin = link.now();
+        for (int n = 0; n < commands; ++n) {
+            machine.clear_watchdog();
+            machine.finish();
+        }
+        return std::chrono::duration<double>(link.now() - begin).count();
+    };
+    const double awake = time_of(40);
+    link.sleep(2);
+    EXPECT_GT(time_of(1), 2);
+    EXPECT_LT(time_of(40), 2 * awake);
 }
 
 class LongLossyLinks : public LossyLinks {};
