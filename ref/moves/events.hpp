@@ -17,6 +17,7 @@ constexpr double kLeftOut = 1e-6;  // mm
 struct Obeyed {
     bool outputs = false;  // those that switch outputs (ref/outputs/output_course.hpp)
     bool waits = false;    // those that wait for a person (ref/outputs/placed_waits.hpp)
+    bool analog = false;   // M67 and M68 E0 set the level of outputs, not S
 };
 
 class Events {
@@ -24,7 +25,7 @@ class Events {
     /// | field  | unit | remark                                                              |
     /// |--------|------|---------------------------------------------------------------------|
     /// | line   |      | in the program's file                                               |
-    /// | code   |      | index into codes()                                                  |
+    /// | code   |      | index into codes(), such as M3; M67 E1, but M67 for E0              |
     /// | value  |      | number of S and T, P or Q of outputs; else 0                        |
     /// | length | mm   | of all moves before it, as Move::length()                           |
     /// | rest   | s    | of dwells between the last move and it                              |

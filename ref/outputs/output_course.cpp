@@ -32,9 +32,15 @@ const std::map<std::string, Switch> kSwitches{
     {"M65", {0, 1 << kFirstOutput}},
 };
 
+bool sets_level(const std::string& code, bool analog) {
+    return analog ? code == "M67" || code == "M68" : code == "S";
+}
+
 }  // namespace
 
-bool switches_outputs(const std::string& code) { return code == "S" || kSwitches.count(code) > 0; }
+bool switches_outputs(const std::string& code, bool analog) {
+    return sets_level(code, analog) || kSwitches.count(code) > 0;
+}
 
 /// Returns true if the next event is before this length.
 bool OutputCourse::comes(const Events& events, double length) const {
@@ -52,7 +58,7 @@ Events::Event OutputCourse::take(const Events& events) { return events.list()[ta
 
 void OutputCourse::obey(const Events& events, const Events::Event& event) {
     const std::string& code = events.code_of(event);
-    if (code == "S") speed_ = event.value;
+    if (sets_level(code, rules_.full_q > 0)) asked_ = event.value;
     const auto known = kSwitches.find(code);
     if (known == kSwitches.end()) return;
     Switch change = known->second;
@@ -67,8 +73,10 @@ void OutputCourse::obey(const Events& events, const Events::Event& event) {
 OutputCourse::State OutputCourse::state(const Move& move) const {
     State state;
     state.bits = rules_.laser ? bits_ & ~kCounterClockwise : bits_;
-    const bool dark = (bits_ & kOn) == 0 || (rules_.laser && move.rapid);
-    state.level = dark ? 0 : std::min(speed_ / rules_.full, 1.0);
+    const bool analog = rules_.full_q > 0;
+    const bool off = (bits_ & kOn) == 0 && (rules_.laser || !analog);
+    const bool dark = off || (rules_.laser && move.rapid);
+    state.level = dark ? 0 : std::clamp(asked_ / (analog ? rules_.full_q : rules_.full), 0.0, 1.0);
     const bool follows = rules_.laser && (bits_ & kCounterClockwise) != 0;
     state.follow = rules_.laser && rules_.dark_at_rest ? kAtAnyButRest : kAtAnySpeed;
     if (follows && !move.rapid) state.follow = move.feed;

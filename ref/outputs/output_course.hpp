@@ -8,8 +8,8 @@
 //   | 2, 3   | M7, M8 until M9: mist, flood                              |
 //   | 4 .. 7 | M62, M64 P0 to P3, until M63, M65                         |
 //
-// The level is S of `full`, while bit 0 is on. A laser's is 0 in rapids, and with M4 it follows the
-// speed along the path, whole at the feed.
+// The level is S of `full`, while bit 0 is on; or Q of M67 and M68 E0. A laser's is 0 in rapids and
+// while bit 0 is off, and with M4 it follows the speed along the path, whole at the feed.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,13 @@ namespace curvecore::ref {
 
 struct OutputRules {
     double full = 1000;  // S at which the level is whole
+    double full_q = 0;   // Q at which it is, if above 0; S has no effect then
     bool laser = false;
     bool dark_at_rest = false;  // a laser with M3 has no level while the axes rest
 };
 
-/// Returns true if outputs obey this code.
-bool switches_outputs(const std::string& code);
+/// Returns true if outputs obey this code; `analog`: full_q is above 0.
+bool switches_outputs(const std::string& code, bool analog);
 
 class OutputCourse {
   public:
@@ -78,7 +79,7 @@ class OutputCourse {
     std::size_t taken_ = 0;
     int waits_ = 0;
     int bits_ = 0;                // as asked for
-    double speed_ = 0;            // S
+    double asked_ = 0;            // S or Q
     std::optional<State> given_;  // none: not known
 };
 

@@ -198,6 +198,11 @@ void write_stop(const char* code) {
     write_left_out(code);
 }
 
+void write_analog(const char* code, int output, double value) {
+    const std::string other = std::string(code) + " E" + std::to_string(output);
+    write_left_out(output == 0 ? code : other.c_str(), value);
+}
+
 }  // namespace
 
 void SELECT_TOOL(int tool) {
@@ -291,12 +296,12 @@ int WAIT(int index, int type, int mode, double timeout) {
 }
 
 void SET_MOTION_OUTPUT_VALUE(int index, double value) {
-    write_left_out("M67", value);
+    write_analog("M67", index, value);
     next(SET_MOTION_OUTPUT_VALUE)(index, value);
 }
 
 void SET_AUX_OUTPUT_VALUE(int index, double value) {
-    write_left_out("M68", value);
+    write_analog("M68", index, value);
     next(SET_AUX_OUTPUT_VALUE)(index, value);
 }
 

@@ -24,6 +24,7 @@ void take_board(const RemoteBuild& build, Options& options) {
     options.profile_queue_words = build.profile_queue_words;
     options.outputs = build.outputs;
     options.gcode.obeyed.outputs = build.outputs > 0;
+    options.gcode.obeyed.analog = options.rules.full_q > 0;
 }
 
 void take_board(const std::string& link, Options& options) {

@@ -118,7 +118,12 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         double value = 0;
         if (analog && block.has('Q')) value = block.use('Q');
         if (digital && block.has('P')) value = use_p(block, place);
-        moves_.leave_out(fmt::format("M{}", code), place, value, analog);
+        std::string named = fmt::format("M{}", code);
+        if (analog && block.has('E')) {
+            const double output = block.use('E');
+            if (output != 0) named += fmt::format(" E{}", output);
+        }
+        moves_.leave_out(named, place, value, analog);
         if (!Codes::known(code)) moves_.warn(fmt::format("unknown code M{}", code), place);
     }
     if (const std::optional<int> spindle = codes.of(Group::kSpindle)) {

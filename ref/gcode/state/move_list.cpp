@@ -110,7 +110,7 @@ void MoveList::leave_out(const std::string& code, const Place& place, double val
     const bool waits = obeys_.waits && waits_for_person(code);
     events_.add(code, {place.line, 0, value, length_, rest, waits});
     if (waits || (obeys_.waits && code == "T")) return;
-    if (obeys_.outputs && switches_outputs(code)) return;
+    if (obeys_.outputs && switches_outputs(code, obeys_.analog)) return;
     LeftOut& all = left_out_[code];
     all.changed = all.changed || (along_path && value != all.value);
     value_changed_ = value_changed_ || all.changed;
@@ -142,7 +142,9 @@ void MoveList::warn_of_left_out() {
     }
     if (codes.empty()) return;
     if (!changing.empty()) changing = fmt::format("; moves of different {} become one", changing);
-    warn(fmt::format("only axes move, nothing is switched or waited for: {}{}", codes, changing),
+    const bool analog = obeys_.outputs && (left_out_.count("M67") + left_out_.count("M68")) > 0;
+    warn(fmt::format("only axes move, nothing is switched or waited for: {}{}{}", codes, changing,
+                     analog ? "; with --full-q PWM is Q of M67 and M68" : ""),
          {program_.file, all.front().second.lines.front()});
 }
 

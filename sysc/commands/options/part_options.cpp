@@ -169,6 +169,9 @@ void add_planning(CLI::App& command, PartOptions& part) {
               "S at which the level of the outputs is whole",
               within(plain_number, kAboveZero, kGreatest, "above 0"))
         ->default_val("1000");
+    add_value(command, "--full-q", part.options.rules.full_q, "Q",
+              "Q of M67 and M68 E0 at which it is; they set it then, not S",
+              within(plain_number, kAboveZero, kGreatest, "above 0"));
     command.add_flag("--laser", part.options.rules.laser,
                      "outputs of a laser: no level in rapids; with M4 it follows the speed, whole "
                      "at the feed");

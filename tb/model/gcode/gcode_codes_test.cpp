@@ -288,7 +288,8 @@ TEST(GcodeCodes, LookingAheadIsDoneAnyway) {
 
 TEST(GcodeCodes, WhatAsksForMoreThanMotionIsAnEventWithItsPlace) {
     std::istringstream text(
-        "S500 M3 T7\nF600 G1 X3 Y4\nM62 P2\nG1 X6 Y8 S600\nM67 E0 Q2.5\nG81 Z-1 R0\nM8 M30");
+        "S500 M3 T7\nF600 G1 X3 Y4\nM62 P2\nG1 X6 Y8 S600\nM67 E0 Q2.5\nM68 E3 Q4\n"
+        "G81 Z-1 R0\nM8 M30");
     ref::GcodeStream stream(text, "part.ngc", {});
     ref::read_all(stream, "part.ngc");
     std::ostringstream said;
@@ -299,7 +300,7 @@ TEST(GcodeCodes, WhatAsksForMoreThanMotionIsAnEventWithItsPlace) {
     }
     EXPECT_EQ(said.str(),
               "1 S 500 at 0, 1 T 7 at 0, 1 M3 0 at 0, 3 M62 2 at 5, 4 S 600 at 5, "
-              "5 M67 2.5 at 10, 7 M8 0 at 12, ");
+              "5 M67 2.5 at 10, 6 M68 E3 4 at 10, 8 M8 0 at 12, ");
 }
 
 TEST(GcodeCodes, MCodesTakeTheirWordsAndUnknownOnesWarn) {

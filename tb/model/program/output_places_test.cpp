@@ -82,6 +82,22 @@ TEST(OutputPlaces, ALaserIsDarkInRapidsAndFollowsTheFeedWithM4) {
     EXPECT_EQ(values(planned, OutputKind::kLevel), (std::vector<double>{1, 0, 1, 0, 0.25, 0}));
 }
 
+TEST(OutputPlaces, AnalogOutputsSetTheLevelWhereTheyAreAskedTo) {
+    const std::string text =
+        "M67 E0 Q20\nS700\nG1 X1 F600\nM68 E0 Q50\nG1 X2\nM67 E1 Q30\nM3\nG0 X3\nM67 E0 Q-5\n"
+        "G1 X4\nM68 E0 Q10\nG1 X5\nM2\n";
+    const auto by_q = [](bool laser) {
+        return [laser](sysc::Options& options) {
+            options.rules.full_q = 40;
+            options.rules.laser = laser;
+        };
+    };
+    EXPECT_EQ(values(plan(text, by_q(false)), OutputKind::kLevel),
+              (std::vector<double>{0.5, 1, 0, 0.25, 0}));
+    // A laser is dark while it is off, and in rapids.
+    EXPECT_EQ(values(plan(text, by_q(true)), OutputKind::kLevel), (std::vector<double>{0.25, 0}));
+}
+
 TEST(OutputPlaces, ARestStatesAllOutputsWhereItBegins) {
     const Planned planned =
         plan("M4 S1000\nG1 X10 F600\nG0 X20\nM3\nG1 X30\nM2\n", [](sysc::Options& options) {
