@@ -121,6 +121,7 @@ path/sample_share.sv
 path/tau_shift.sv
 pulse/galvo_pins.sv
 pulse/glitch_filter.sv
+pulse/input_shaper.sv
 pulse/motion_pins.sv
 pulse/place_scaler.sv
 pulse/pulse_times.sv

@@ -29,6 +29,7 @@ module motion_axi #(
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0,     // [0, 15]
     parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
+    parameter int Shaper            = 0,     // 0: none; rtl/pulse/input_shaper.sv
     parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
     parameter     Data              = ""
 ) (
@@ -139,6 +140,7 @@ module motion_axi #(
       .ClockHertz(ClockHertz),
       .Encoders(Encoders),
       .Outputs(Outputs),
+      .Shaper(Shaper),
       .Program(Program),
       .Data(Data)
   ) u_system (

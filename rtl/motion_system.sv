@@ -13,8 +13,7 @@
 //   estop_i, limit_i  1
 //   .. synchronised                   1
 //   step_o                                    low: of all axes; of that axis
-//   enable_o                                  0
-//   step_o                                            low: of the other axes
+//   enable_o, step_o                          0       low: of the other axes
 `default_nettype none
 module motion_system #(
     parameter int Build             = 2,     // 0 parallel, 2 the engine
@@ -39,29 +38,28 @@ module motion_system #(
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0,     // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
     parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
+    parameter int Shaper            = 0,     // 0: none; rtl/pulse/input_shaper.sv
     parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
     parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Requests: rtl/bus/register_file.sv
-    input  wire logic        valid_i,
-    input  wire logic        write_i,
-    input  wire logic [ 6:0] word_i,
-    input  wire logic [31:0] data_i,
-    output logic             done_o,
-    output logic             error_o,
-    output logic      [31:0] data_o,
-
+    // Requests
+    input  wire logic                 valid_i,
+    input  wire logic                 write_i,
+    input  wire logic [          6:0] word_i,
+    input  wire logic [         31:0] data_i,
+    output logic                      done_o,
+    output logic                      error_o,
+    output logic      [         31:0] data_o,
     // Streams of words, beside those of registers: rtl/bus/word_sources.sv
-    input  wire logic        segment_valid_i,
-    output logic             segment_ready_o,
-    input  wire logic [47:0] segment_data_i,
-    input  wire logic        profile_valid_i,
-    output logic             profile_ready_o,
-    input  wire logic [47:0] profile_data_i,
-
+    input  wire logic                 segment_valid_i,
+    output logic                      segment_ready_o,
+    input  wire logic [         47:0] segment_data_i,
+    input  wire logic                 profile_valid_i,
+    output logic                      profile_ready_o,
+    input  wire logic [         47:0] profile_data_i,
     // Pins
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
@@ -78,8 +76,6 @@ module motion_system #(
     output logic                      galvo_sync_o,
     output logic      [          2:0] galvo_data_o
 );
-
-  initial if (Build == 2 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
   localparam int Capability = system_pkg::capability(
@@ -101,8 +97,10 @@ module motion_system #(
   logic segment_valid, segment_ready, profile_valid, profile_ready, position_write, position_ready;
   logic [47:0] register_word;
   logic control_asked, control_write, control_ready, state_write, reference_write, reference_ready;
+  logic [Axes-1:0] limit, referenced, uncertain, overrun, refused, reference_axes, homed;
+  logic caught, encoder, following, tick, late, estop, shaper_write, settled;
   logic scale_write, probe_write, homed_write, note_ready, kept_ready, setting_next, path_changes;
-  logic [31:0] command, state, axes, room, samples, outputs, steps, note_data, kept;
+  logic [31:0] command, state, room, samples, outputs, steps, note_data, kept;
   logic [63:0] path;
   logic [6:0] note_word, kept_word, setting_word;
   register_file #(
@@ -111,7 +109,7 @@ module motion_system #(
       .TimeBits  (TimeBits),
       .Capability(Capability),
       .Core      (Core),
-      .Widths    (system_pkg::widths(TimeBits, ScaleBits, Ahead)),
+      .Widths    (system_pkg::widths(TimeBits, ScaleBits, Ahead, Shaper)),
       .ClockHertz(ClockHertz)
   ) u_registers (
       .clk_i,
@@ -156,9 +154,10 @@ module motion_system #(
       .reference_ready_i(reference_ready),
       .probe_write_o(probe_write),
       .homed_write_o(homed_write),
+      .shaper_write_o(shaper_write),
       .command_o(command),
       .state_i(state),
-      .axes_i(axes),
+      .axes_i(system_pkg::axes(9'(referenced), 9'(uncertain), 9'(limit))),
       .room_i(room),
       .samples_i(samples),
       .outputs_i(outputs),
@@ -184,9 +183,7 @@ module motion_system #(
   logic sample_valid, sample_ready, sample_taken, by_position, queued, word_taken;
   logic [4:0] rates_read;
   logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates;
-  logic [Axes-1:0] limit, referenced, uncertain, overrun, refused, reference_axes, homed;
   logic [2*Axes-1:0] step_counts;
-  logic caught, encoder, following, tick, late, estop;
   machine_state #(
       .Axes(Axes)
   ) u_state (
@@ -207,7 +204,7 @@ module motion_system #(
       .homed_o(homed),
       .caught_i(caught),
       .active_i(active),
-      .standing_i(standing),
+      .standing_i(standing && settled),
       .underrun_i(underrun),
       .motion_fault_i(motion_fault),
       .word_i(word_taken),
@@ -221,7 +218,7 @@ module motion_system #(
       .begins_o(begins),
       .position_o(by_position),
       .samples_o(positions),
-      .queued_i(queued),
+      .queued_i(queued || !settled),
       .tick_i(tick),
       .estop_i(estop),
       .limit_i(limit & ~limit_masked),
@@ -236,7 +233,6 @@ module motion_system #(
       .reference_o(reference_axes),
       .enable_o
   );
-  assign axes = system_pkg::axes(9'(referenced), 9'(uncertain), 9'(limit));
   assign output_o = outputs[31:registers_pkg::OutputsBitsLow];
   machine_inputs #(
       .Axes(Axes),
@@ -352,7 +348,8 @@ module motion_system #(
       .PeriodLog2(PeriodLog2),
       .TimeBits(TimeBits),
       .Galvo(Galvo),
-      .Rates((Build == 2) ? 1 : 0)
+      .Rates((Build == 2) ? 1 : 0),
+      .Shaper(Shaper)
   ) u_pins (
       .clk_i,
       .rst_ni,
@@ -373,6 +370,9 @@ module motion_system #(
       .position_i(position),
       .rates_read_o(rates_read),
       .rates_i(rates),
+      .shaper_write_i(shaper_write),
+      .shaper_i(command[23:0]),
+      .settled_o(settled),
       .begins_i(begins),
       .reference_i(reference_axes),
       .estop_i,

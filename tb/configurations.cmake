@@ -89,6 +89,16 @@ foreach(size ${sizes})
 endforeach()
 illegal_parameter_test(path_outputs Words=96 "Words must be a power of two in .64, 4096.")
 
+# Shapers: axes, period, places that are kept.
+rows(sizes 3,8,64 9,13,256)
+foreach(size ${sizes})
+  read_row(${size} axes period places)
+  core_test(input_shaper a${axes}_p${period}_k${places} TOP input_shaper
+            PARAMS Axes=${axes} PeriodLog2=${period} Places=${places})
+endforeach()
+illegal_parameter_test(input_shaper Places=32 "Places must be a power of two in .64, 512.")
+illegal_parameter_test(input_shaper PeriodLog2=14 "PeriodLog2 must be at most 13")
+
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
   core_test(folded_datapath splines_${splines} TOP folded_datapath
@@ -361,37 +371,3 @@ illegal_parameter_test(register_file Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(register_file ScaleBits=57 "ScaleBits must be in .33, 56.")
 illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
 illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
-
-# A board's motion, from its registers to its pins.
-function(system_test test configuration)
-  core_test(${test} ${configuration} TOP motion_system ${ARGN} LIBRARIES curvecore_board
-            curvecore_assembler)
-  target_compile_definitions(
-    ${test}_${configuration} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
-                                     RTL_DIR="${PROJECT_SOURCE_DIR}/rtl"
-                                     CURVES_DIR="${PROJECT_SOURCE_DIR}/ref/curves")
-endfunction()
-set(system PARAMS TimeBits=10 ClockHertz=2560000 SamplesAhead=15 SampleBufferWords=512)
-set(queues SegmentQueueWords=4096 ProfileQueueWords=512)
-set(parallel ${system} ${queues} Build=0 PeriodLog2=8 ScaleBits=48 Galvo=1 Encoders=2)
-set(engine ${system} Build=2 PeriodLog2=12 ScaleBits=44 Galvo=0)
-foreach(test motion_system motion_begin motion_probe motion_encoder position_mode)
-  system_test(${test} parallel ${parallel})
-  system_test(${test} engine ${engine} ${queues} Encoders=2)
-endforeach()
-foreach(test system_microcode system_time)
-  system_test(${test} engine ${engine} SegmentQueueWords=1024 ProfileQueueWords=1024
-              SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
-endforeach()
-# The same beside its flat file, clock by clock.
-verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${engine}
-                ${queues} Encoders=2)
-system_test(motion_system flat TESTS *.SaysWhat*:*.DrawsAProgram*:*.Random* ${engine} ${queues}
-            Encoders=2)
-target_link_libraries(motion_system_flat PRIVATE flat_motion_system)
-target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
-# With outputs along the path.
-set(long_queues SegmentQueueWords=1024 ProfileQueueWords=2048)
-system_test(motion_outputs parallel ${system} ${long_queues} Build=0 PeriodLog2=8 ScaleBits=48
-            Galvo=0 Outputs=64)
-system_test(motion_outputs engine ${engine} ${long_queues} Outputs=1024)

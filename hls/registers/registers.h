@@ -216,6 +216,8 @@
 #define CURVECORE_WIDTHS_SCALE_BITS_MASK 0x000007e0u
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_LOW 11
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_MASK 0x00007800u
+#define CURVECORE_WIDTHS_SHAPER_LOG2_LOW 15
+#define CURVECORE_WIDTHS_SHAPER_LOG2_MASK 0x00078000u
 
 /* Configuration that the words of the next program must be made for, besides that of the board (CORE, CLOCK, and axes, period, build, engine and splines of CAPABILITY): unit, samples per tick and machine. Words made for another configuration raise the faults motion 0 and 2, and none of them is drawn. */
 #define CURVECORE_DIGEST 0x04c
@@ -372,6 +374,15 @@
 #define CURVECORE_FOLLOWING_LIMIT0 0x1d8
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_LOW 0
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_MASK 0xffffffffu
+
+/* A word of the shaper of an axis: rtl/pulse/input_shaper.sv. Refused while STATE.enabled. Who writes one writes all, three of each axis, or 0: they count until the drives are off again; without any, steps follow samples. */
+#define CURVECORE_SHAPER 0x1fc
+#define CURVECORE_SHAPER_VALUE_LOW 0
+#define CURVECORE_SHAPER_VALUE_MASK 0x0003ffffu
+#define CURVECORE_SHAPER_AXIS_LOW 18
+#define CURVECORE_SHAPER_AXIS_MASK 0x003c0000u
+#define CURVECORE_SHAPER_KIND_LOW 22
+#define CURVECORE_SHAPER_KIND_MASK 0x00c00000u
 
 /* All faults in a word of STATE. */
 #define CURVECORE_FAULTS 0x0600ffffu

@@ -15,6 +15,11 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kJerkTime = 0.05;  // s in which the acceleration is reached if no jerk is given
+constexpr std::array<std::pair<std::string_view, ShaperKind>, 4> kShaperNames{
+    {{"none", ShaperKind::kNone},
+     {"feed-forward", ShaperKind::kFeedForward},
+     {"zv", ShaperKind::kZv},
+     {"ei", ShaperKind::kEi}}};
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
 
@@ -144,6 +149,34 @@ class MachineReader {
         take("MAX_JERK", limits.jerk, limits.acceleration / kJerkTime);
         any_jerk_ = any_jerk_ || tightest("MAX_JERK");
         read_travel(axis, sections, unit);
+        read_mode(axis, sections);
+    }
+
+    void read_mode(int axis, const std::vector<std::string>& sections) {
+        Vibration& mode = machine_.modes[axis];
+        for (const std::string& section : sections) {
+            mode.hertz = limit(section, "SHAPER_FREQUENCY", 1).value_or(mode.hertz);
+            const std::optional<double> damping = ini_.number(section, "SHAPER_DAMPING");
+            mode.damping = damping.value_or(mode.damping);
+            if (mode.damping >= 0 && mode.damping < 1) continue;
+            throw InputError(
+                ini_.file(), ini_.find(section, "SHAPER_DAMPING")->line,
+                fmt::format("SHAPER_DAMPING = {:g}: a ratio from 0 to below 1", mode.damping));
+        }
+    }
+
+    void read_shaper() {
+        const std::optional<IniEntry> entry = ini_.find("TRAJ", "SHAPER");
+        if (!entry) return;
+        const auto known =
+            std::find_if(kShaperNames.begin(), kShaperNames.end(),
+                         [&](const auto& name) { return name.first == entry->value; });
+        if (known == kShaperNames.end()) {
+            throw InputError(
+                ini_.file(), entry->line,
+                fmt::format("SHAPER = {}: none, feed-forward, zv or ei", entry->value));
+        }
+        machine_.shaper = known->second;
     }
 
     void read_travel(int axis, const std::vector<std::string>& sections, double unit) {
@@ -213,6 +246,7 @@ class MachineReader {
                              any_jerk_ ? "from the axes" : "from the acceleration"));
         }
         machine_.joint_time = limit("TRAJ", "JOINT_TIME", 1).value_or(machine_.joint_time);
+        read_shaper();
     }
 
     const IniFile& ini_;

@@ -12,6 +12,14 @@
 
 namespace curvecore::ref {
 
+/// Vibration of what an axis moves, its lowest mode.
+struct Vibration {
+    double hertz = 0;       // 0: none
+    double damping = 0.05;  // ratio
+};
+
+enum class ShaperKind { kNone, kFeedForward, kZv, kEi };
+
 struct AxisLimits {
     double velocity = 500;       // mm/s
     double acceleration = 5000;  // mm/s^2
@@ -39,6 +47,8 @@ struct Machine {
     double jerk = 100000;
     double joint_time = 1e-3;  // s, in which a joint's velocity or acceleration may change
     std::array<AxisLimits, kMachineAxes> axis = built_in_axes();
+    ShaperKind shaper = ShaperKind::kNone;  // ref/machine/shaper.hpp
+    std::array<Vibration, kMachineAxes> modes;
     std::vector<std::string> notes;  // defaults that were used, for the report
 };
 
@@ -49,10 +59,11 @@ struct Machine {
 /// | [TRAJ]                         | MAX_LINEAR_VELOCITY MAX_LINEAR_ACCELERATION (or             |
 /// |                                | MAX_VELOCITY MAX_ACCELERATION), MAX_LINEAR_JERK,           |
 /// |                                | LINEAR_UNITS COORDINATES, and curvecore's own JOINT_TIME   |
-/// |                                | (s)                                                        |
+/// |                                | (s), SHAPER: none, feed-forward, zv, ei                    |
 /// | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT           |
 /// | [AXIS_0] ..), [JOINT_0] ..     | MAX_LIMIT; where an axis and its joints differ the tighter |
-/// |                                | one holds                                                  |
+/// |                                | one holds. Curvecore's own: SHAPER_FREQUENCY (Hz),         |
+/// |                                | SHAPER_DAMPING (ratio, 0.05 without it), of its first mode |
 ///
 /// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
 /// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path

@@ -81,6 +81,7 @@ module register_file #(
     input  wire logic        reference_ready_i,
     output logic             probe_write_o,
     output logic             homed_write_o,
+    output logic             shaper_write_o,     // only while the drives are off
     output logic      [31:0] command_o,
 
     // Readable values
@@ -142,6 +143,7 @@ module register_file #(
   logic axis_exists;
   logic axis_scale;
   logic turns;  // a polarity
+  logic standstill;  // .. or shapes
   logic exists;
   assign of_axis = word_i[6] && word_i < registers_pkg::Following0;
   assign steps_axis_o = note_ready_o ? note_word_i[5:2] : word_i[5:2];
@@ -150,10 +152,11 @@ module register_file #(
   assign turns        = word_i == registers_pkg::Pins &&
       (data_i[registers_pkg::PinsStepInvertedLow+:Axes] != step_inverted_o ||
        data_i[registers_pkg::PinsDirectionInvertedLow+:Axes] != direction_inverted_o);
+  assign standstill = turns || word_i == registers_pkg::Shaper;
   always_comb begin
     if (of_axis && write_i) exists = axis_scale && off_i;
     else if (of_axis) exists = axis_scale || (axis_exists && word_i[1]);
-    else if (write_i) exists = registers_pkg::can_write(word_i) && (off_i || !turns);
+    else if (write_i) exists = registers_pkg::can_write(word_i) && (off_i || !standstill);
     else exists = registers_pkg::can_read(word_i);
   end
   logic of_axis_q;
@@ -199,6 +202,7 @@ module register_file #(
   assign reference_write_o = writes && word_q == registers_pkg::Reference && reference_ready_i;
   assign probe_write_o     = writes && word_q == registers_pkg::Probe;
   assign homed_write_o     = writes && word_q == registers_pkg::Homed;
+  assign shaper_write_o    = writes && word_q == registers_pkg::Shaper;
 
   // Settings
   logic [31:0] override_reset;

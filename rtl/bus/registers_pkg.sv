@@ -47,6 +47,7 @@ package registers_pkg;
   localparam logic [6:0] Following0 = 7'd100;
   localparam logic [6:0] EncoderRatio0 = 7'd109;
   localparam logic [6:0] FollowingLimit0 = 7'd118;
+  localparam logic [6:0] Shaper = 7'd127;
 
   // Axes: the first one's words, and the number of words of each
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -124,6 +125,7 @@ package registers_pkg;
   localparam int WidthsTimeBitsLow = 0;
   localparam int WidthsScaleBitsLow = 5;
   localparam int WidthsSamplesAheadLow = 11;
+  localparam int WidthsShaperLog2Low = 15;
   localparam int DigestDigestLow = 0;
   localparam int SegmentLoWordLow = 0;
   localparam int SegmentHiWordLow = 0;
@@ -160,6 +162,9 @@ package registers_pkg;
   localparam int EncoderRatio0CountsLow = 0;
   localparam int EncoderRatio0StepsLow = 16;
   localparam int FollowingLimit0LimitLow = 0;
+  localparam int ShaperValueLow = 0;
+  localparam int ShaperAxisLow = 18;
+  localparam int ShaperKindLow = 22;
 
   // Words that can be read, without axes
   function automatic logic can_read(input logic [6:0] word);
@@ -302,7 +307,8 @@ package registers_pkg;
       7'd123,
       7'd124,
       7'd125,
-      7'd126:
+      7'd126,
+      Shaper:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

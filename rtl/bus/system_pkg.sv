@@ -22,10 +22,12 @@ package system_pkg;
         ($clog2(sample_words) << registers_pkg::CapabilitySampleBufferLog2Low);
   endfunction
 
-  function automatic int widths(input int time_bits, input int scale_bits, input int samples_ahead);
+  function automatic int widths(input int time_bits, input int scale_bits, input int samples_ahead,
+                                input int shaper);
     widths = (time_bits << registers_pkg::WidthsTimeBitsLow) +
         (scale_bits << registers_pkg::WidthsScaleBitsLow) +
-        (samples_ahead << registers_pkg::WidthsSamplesAheadLow);
+        (samples_ahead << registers_pkg::WidthsSamplesAheadLow) +
+        ($clog2(shaper) << registers_pkg::WidthsShaperLog2Low);
   endfunction
 
   function automatic logic [31:0] axes(input logic [8:0] referenced, input logic [8:0] uncertain,

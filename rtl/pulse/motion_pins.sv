@@ -8,7 +8,8 @@ module motion_pins #(
     parameter int PeriodLog2 = 13,  // [6, 20]
     parameter int TimeBits   = 12,  // [4, 16]
     parameter int Galvo      = 0,   // 0, 1
-    parameter int Rates      = 0    // 0, 1
+    parameter int Rates      = 0,   // 0, 1
+    parameter int Shaper     = 0    // 0: none; [64, 512], a power of two
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -44,6 +45,11 @@ module motion_pins #(
     output logic      [                                   4:0] rates_read_o,
     input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
 
+    // Words of the shaper
+    input  wire logic        shaper_write_i,
+    input  wire logic [23:0] shaper_i,
+    output logic             settled_o,
+
     // External inputs, and the same synchronised
     input  wire logic            estop_i,
     input  wire logic [Axes-1:0] limit_i,
@@ -73,6 +79,10 @@ module motion_pins #(
     output logic            late_o
 );
 
+  initial if (Rates == 1 && ScaleBits > 45) $fatal(1, "ScaleBits must be in [40, 45] with Build 2");
+  initial
+    if (Galvo == 1 && Shaper != 0)
+      $fatal(1, "Galvo works without Shaper only: scan heads are not shaped");
   initial
     if (Galvo == 1 && Rates == 1)
       $fatal(1, "Galvo works with Build 0 only: with Build 2 samples have no positions");
@@ -85,7 +95,8 @@ module motion_pins #(
       .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
       .TimeBits(TimeBits),
-      .Rates(Rates)
+      .Rates(Rates),
+      .Shaper(Shaper)
   ) u_steps (
       .clk_i,
       .rst_ni,
@@ -108,6 +119,9 @@ module motion_pins #(
       .position_i,
       .rates_read_o,
       .rates_i,
+      .shaper_write_i,
+      .shaper_i,
+      .settled_o,
       .estop_i,
       .limit_i,
       .estop_o,

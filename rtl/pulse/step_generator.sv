@@ -2,7 +2,7 @@
 // Steps from samples: an axis steps when its place, between two samples, is half-way between two
 // whole steps.
 //
-//   samples -> place_scaler -> rates -> step_axis -> step, direction      of each axis
+//   samples -> place_scaler -> rates -> input_shaper -> step_axis -> step, direction, of each axis
 //                 ^ scales       ^ sample_period
 //
 // A sample is wanted every 2^PeriodLog2 clocks. Between two samples the place is a straight line in
@@ -29,7 +29,8 @@
 // the axis stands.
 //
 // With Rates = 1 there are no samples here, but rates from outside (rtl/engine/engine_rates.sv),
-// which count if the axis is referenced when they are loaded.
+// which count if the axis is referenced when they are loaded. With a shaper rates are taken
+// 26 Axes + 1 clocks later, and axes go where it says; settled_o: they stand at their places.
 //
 // The flags of an axis stay until its next reference. late_o, for one clock: a sample was late
 // while the axes were moving; stopped axes do not count.
@@ -40,7 +41,8 @@ module step_generator #(
     parameter int ScaleBits  = 44,  // [40, 56]
     parameter int PeriodLog2 = 13,  // [6, 20]
     parameter int TimeBits   = 12,  // [4, 16]
-    parameter int Rates      = 0    // 1: instead of samples
+    parameter int Rates      = 0,   // 1: instead of samples
+    parameter int Shaper     = 0    // 0: none; places that rtl/pulse/input_shaper.sv keeps
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -75,6 +77,11 @@ module step_generator #(
     output logic      [                                   4:0] rates_read_o,
     input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
 
+    // Words of the shaper: rtl/pulse/input_shaper.sv
+    input  wire logic        shaper_write_i,
+    input  wire logic [23:0] shaper_i,        // {kind, axis, value}
+    output logic             settled_o,
+
     // External inputs, and the same synchronised
     input  wire logic            estop_i,
     input  wire logic [Axes-1:0] limit_i,
@@ -107,6 +114,11 @@ module step_generator #(
   initial
     if (Rates == 0 && Axes * (FineBits + 7) + 4 > 2 ** PeriodLog2)
       $fatal(1, "Axes (FineBits + 7) + 4 clocks must fit in a period");
+
+  // A sample is scaled when axes know that they are referenced by the one before.
+  initial
+    if (Shaper != 0 && Rates == 0 && FineBits < 24)
+      $fatal(1, "FineBits must be at least 24 with a shaper");
 
   localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
 
@@ -225,6 +237,45 @@ module step_generator #(
       .setup_1_o(setup_1)
   );
 
+  logic [Axes-1:0] shaped_load;
+  logic shaped_none, shaped_fresh, shaped_moves, shaped_refused;
+  logic [RateBits-1:0] shaped_rate;
+  if (Shaper != 0) begin : g_shaper
+    assign shaped_none = 1'b0;
+    input_shaper #(
+        .Axes      (Axes),
+        .PeriodLog2(PeriodLog2),
+        .Places    (Shaper)
+    ) u_shaper (
+        .clk_i,
+        .rst_ni,
+        .off_i(stop_i),
+        .write_i(shaper_write_i),
+        .kind_i(shaper_i[registers_pkg::ShaperKindLow+:2]),
+        .axis_i(shaper_i[registers_pkg::ShaperAxisLow+:4]),
+        .value_i(shaper_i[registers_pkg::ShaperValueLow+:18]),
+        .load_i(load),
+        .none_i(none),
+        .fresh_i(fresh),
+        .moves_i(moves),
+        .refused_i(refused),
+        .rate_i(rate),
+        .referenced_i(referenced_o),
+        .load_o(shaped_load),
+        .fresh_o(shaped_fresh),
+        .moves_o(shaped_moves),
+        .refused_o(shaped_refused),
+        .rate_o(shaped_rate),
+        .settled_o
+    );
+  end else begin : g_no_shaper
+    logic unused;
+    assign unused = &{1'b0, shaper_write_i, shaper_i};
+    assign settled_o = 1'b1;
+    assign {shaped_load, shaped_none, shaped_fresh} = {load, none, fresh};
+    assign {shaped_moves, shaped_refused, shaped_rate} = {moves, refused, rate};
+  end
+
   logic [Axes-1:0] step;
   assign step_o = step ^ step_inverted_i;
   assign direction_o = back_o ^ direction_inverted_i;
@@ -241,13 +292,13 @@ module step_generator #(
         .turn_i(turn),
         .length_1_i(length_1),
         .setup_1_i(setup_1),
-        .load_i(load[a]),
-        .none_i(none),
-        .fresh_i(fresh),
-        .moves_i(moves),
-        .rate_i(rate),
+        .load_i(shaped_load[a]),
+        .none_i(shaped_none),
+        .fresh_i(shaped_fresh),
+        .moves_i(shaped_moves),
+        .rate_i(shaped_rate),
         .stop_i(estop_o || stop_i || (limit_o[a] && !limit_masked_i[a])),
-        .refused_i(refused),
+        .refused_i(shaped_refused),
         .step_o(step[a]),
         .direction_o(back_o[a]),
         .rise_o(rise_o[a]),

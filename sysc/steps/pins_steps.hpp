@@ -31,7 +31,7 @@ struct StepPins {
     using At = decltype(signal_at(std::declval<Port>()));
 
     explicit StepPins(const hls::PulseTimes& times) {
-        // Unused here: levels, positions axis by axis, rates of others, stops.
+        // Unused here: levels, positions axis by axis, rates of others, a shaper, stops.
         signal_at(model.step_inverted_i);
         signal_at(model.direction_inverted_i);
         signal_at(model.by_axis_i);
@@ -40,6 +40,9 @@ struct StepPins {
         signal_at(model.begins_i);
         signal_at(model.rates_read_o);
         signal_at(model.rates_i);
+        signal_at(model.shaper_write_i);
+        signal_at(model.shaper_i);
+        signal_at(model.settled_o);
         signal_at(model.estop_i);
         signal_at(model.estop_o);
         signal_at(model.limit_i);

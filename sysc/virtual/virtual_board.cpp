@@ -33,7 +33,8 @@ std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
                                       {"PeriodLog2", times.period_log2},
                                       {"ClockHertz", static_cast<int>(times.clock_hz)},
                                       {"Encoders", 2},
-                                      {"Outputs", 1024}}) {
+                                      {"Outputs", 1024},
+                                      {"Shaper", 256}}) {
         model.parameters.push_back(fmt::format("{}={}", name, value));
     }
     auto* const make = reinterpret_cast<MakeVirtualModel*>(CoreCache().open(model, false));

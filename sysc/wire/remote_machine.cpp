@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hls/input_shaper.hpp"
 #include "hls/registers/registers.h"
 #include "hls/words.hpp"
 #include "ref/curve/axes.hpp"
@@ -45,6 +46,8 @@ RemoteBuild build_of(const curvecore_board& board) {
     build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
     const std::uint32_t outputs = CURVECORE_FIELD(capability, CAPABILITY_OUTPUTS_LOG2);
     build.outputs = outputs == 0 ? 0 : 1 << outputs;
+    const std::uint32_t places = CURVECORE_FIELD(board.widths, WIDTHS_SHAPER_LOG2);
+    build.shaper_places = places == 0 ? 0 : 1 << places;
     if (CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0) {
         throw UsageError(
             "the board has the serial build, which moves nothing any more: make it again with "
@@ -152,9 +155,30 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     };
     write(CURVECORE_PULSE,
           clocks("steplen", drives.steplen_s) | clocks("stepspace", drives.stepspace_s) << 16);
+    shape(drives);
     write(CURVECORE_DIRECTION,
           clocks("dirsetup", drives.dirsetup_s) | clocks("dirhold", drives.dirhold_s) << 16);
     ignore_limits(0);
+}
+
+/// Sets the shaper, which keeps the words of another host.
+void RemoteMachine::shape(const Drives& drives) {
+    shaper_samples_ = 0;
+    if (build_.shaper_places == 0) return;
+    for (int axis = 0; axis < build_.axes; ++axis) {
+        const ref::ShaperTaps& taps = drives.shaper[static_cast<std::size_t>(axis)];
+        const auto gain = [](double value) {
+            return static_cast<std::int32_t>(std::lround(std::ldexp(value, hls::kGainFrac)));
+        };
+        const std::array<std::int32_t, 3> words{taps.delay, gain(taps.near), gain(taps.far)};
+        for (std::size_t kind = 0; kind < words.size(); ++kind) {
+            const std::uint32_t value = static_cast<std::uint32_t>(words[kind]);
+            write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, kind) |
+                                        CURVECORE_PUT(SHAPER_AXIS, axis) |
+                                        (value & CURVECORE_SHAPER_VALUE_MASK));
+        }
+        shaper_samples_ = std::max(shaper_samples_, 2 * taps.delay);
+    }
 }
 
 /// Sets a scale; counts of steps give an axis' place as long as its scale is unchanged.

@@ -2,11 +2,13 @@
 // A remote rtl/motion_board.sv at the other end of a link, as the registers describe it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <random>
 #include <utility>
 
+#include "ref/machine/shaper.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/link/frame_stream.hpp"
@@ -23,6 +25,7 @@ struct RemoteBuild {
     std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_facts.h
     bool encoders = false;     // it has encoder inputs
     int outputs = 0;           // changes of outputs that wait; 0: it has none
+    int shaper_places = 0;     // that are kept of an axis; 0: it has no shaper
     CoreParameters core;
 };
 
@@ -33,6 +36,7 @@ struct Drives {
     double stepspace_s = 2e-6;
     double dirsetup_s = 4e-6;
     double dirhold_s = 4e-6;
+    std::array<ref::ShaperTaps, ref::kMachineAxes> shaper{};
 };
 
 /// Ratio of an encoder's edges to steps; steps < 0: it counts backwards.
@@ -53,6 +57,8 @@ class RemoteMachine {
     explicit RemoteMachine(Link& link, std::uint32_t session = std::random_device()());
 
     const RemoteBuild& build() const { return build_; }
+    /// Number of samples by which the steps are behind the path with the shaper, at most.
+    int shaper_samples() const { return shaper_samples_; }
 
     /// Makes a program that another host left under way stand, and returns how far it is drawn,
     /// quanta. @throws UsageError: none is, or the drives are off
@@ -134,6 +140,7 @@ class RemoteMachine {
     void control(std::uint32_t bits);
     void set(const BoardSettings& settings);
     void settle(std::uint32_t mask);
+    void shape(const Drives& drives);
     void set_scale(int axis, std::uint64_t scale);
     std::uint32_t homed();
     void keep_origin(int axis, std::int32_t origin);
@@ -143,6 +150,7 @@ class RemoteMachine {
     FrameStream frames_;
     RemoteBuild build_;
     std::uint32_t control_ = 0;
+    int shaper_samples_ = 0;
 };
 
 /// Names of the faults in a word of STATE.

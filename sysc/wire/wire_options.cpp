@@ -35,6 +35,15 @@ void take_board(const std::string& link, Options& options) {
     }
 }
 
+void shape(const ref::Machine& machine, const RemoteBuild& build, Drives& drives) {
+    if (machine.shaper == ref::ShaperKind::kNone) return;
+    if (build.shaper_places == 0) {
+        throw UsageError(machine.name + ": SHAPER needs a board with the parameter Shaper");
+    }
+    const int most = build.shaper_places / 2 - 1;
+    drives.shaper = ref::shaper_taps(machine, build.sample_period_s, most);
+}
+
 Drives drives_of(const WireOptions& options, int axes) {
     Drives drives = options.drives;
     std::vector<double>& scales = drives.steps_per_mm;

@@ -20,6 +20,9 @@ struct WireOptions {
 /// wanted
 Drives drives_of(const WireOptions& options, int axes);
 
+/// Sets the shaper of the drives as the machine asks for it. @throws UsageError: the board has none
+void shape(const ref::Machine& machine, const RemoteBuild& build, Drives& drives);
+
 /// Sets the options to those of this board: a program is planned for it.
 void take_board(const RemoteBuild& build, Options& options);
 /// Sets them to those of the board at the end of this link, which is only read.

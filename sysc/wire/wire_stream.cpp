@@ -127,7 +127,8 @@ bool WireStream::drawn() const {
 void WireStream::settle() {
     const RemoteBuild& build = machine_.build();
     const double periods = CURVECORE_FIELD(build.widths, WIDTHS_SAMPLES_AHEAD) + kStepPeriods;
-    const std::chrono::duration<double> time(periods * build.sample_period_s);
+    const std::chrono::duration<double> time((periods + machine_.shaper_samples()) *
+                                             build.sample_period_s);
     const WireClock::time_point end =
         machine_.now() + std::chrono::duration_cast<WireClock::duration>(time);
     while (machine_.now() < end) look();

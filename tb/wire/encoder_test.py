@@ -5,6 +5,7 @@
     encoder_test.py CURVECORE [unittest's options]
 """
 
+import math
 import pathlib
 import subprocess
 import sys
@@ -20,6 +21,9 @@ PROGRAM = "G1 X4 Y-3\nG2 X6 Y-1 I0 J2\nG1 X0 Y0 Z1"
 FEED = 10  # mm/s
 STEP = 1 / STEPS_PER_MM
 CAPABILITY, ENCODERS = 0x08, 1 << 25
+HERTZ, DAMPING, RADIUS = 50, 0.05, 5
+TICK_S = 20e-6
+CLOCK_HZ = {"engine": 5.12e6, "parallel": 2.56e6}
 
 
 def machine(**changes):
@@ -152,6 +156,37 @@ class EncoderTest(unittest.TestCase):
             self.machine.write_text(machine(**changes), encoding="ascii")
             self.stream(board, 2, text)
         self.assertEqual(board.end(), [])
+
+    def tool_off(self, build, shaper):
+        """Returns the mm that a tool, on springs behind the drives, is off a circle at most."""
+        modes = "".join(f"[AXIS_{axis}]\nSHAPER_FREQUENCY = {HERTZ}\n" for axis in "XY")
+        self.machine.write_text(f"[TRAJ]\nSHAPER = {shaper}\n{modes}", encoding="ascii")
+        self.write_program(f"F6000 G3 X0 Y0 I{RADIUS} J0")
+        board = self.board("--build", build)
+        self.stream(board)
+        steps = board.end()
+        self.assertEqual(counts(steps), [0, 0, 0])
+        drive, place, speed, worst, next_step = [0, 0], [0, 0], [0, 0], 0, 0
+        w = 2 * math.pi * HERTZ
+        tick = CLOCK_HZ[build] * TICK_S
+        for now in range(int(steps[-1][0] / tick) + 2000):
+            while next_step < len(steps) and steps[next_step][0] <= now * tick:
+                _, axis, way = steps[next_step]
+                drive[axis] += way / STEPS_PER_MM
+                next_step += 1
+            for axis in range(2):
+                pull = w * w * (drive[axis] - place[axis]) - 2 * DAMPING * w * speed[axis]
+                speed[axis] += TICK_S * pull
+                place[axis] += TICK_S * speed[axis]
+            worst = max(worst, abs(math.hypot(place[0] - RADIUS, place[1]) - RADIUS))
+        return worst
+
+    def test_a_tool_on_springs_is_nearer_to_the_path_with_a_shaper(self):
+        for build in CLOCK_HZ:
+            plain, led = (self.tool_off(build, shaper) for shaper in ("none", "feed-forward"))
+            print(f"{build}: {1e3 * plain:.2f} um off the path, {1e3 * led:.2f} with a shaper")
+            self.assertGreater(plain, 0.015)
+            self.assertLess(led, 0.003)
 
 
 if __name__ == "__main__":

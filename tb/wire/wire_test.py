@@ -243,7 +243,7 @@ class WireTest(unittest.TestCase):
         # The board's description is changed on its way: times of 10 bits, scales of 40.
         def change(answer):
             words = [answer[n:n + 4] for n in range(0, len(answer), 4)]
-            made, other = ((times | scales << 5 | 15 << 11).to_bytes(4, "little")
+            made, other = ((times | scales << 5 | 15 << 11 | 8 << 15).to_bytes(4, "little")
                            for times, scales in ((12, 44), (10, 40)))
             return b"".join(other if word == made else word for word in words)
         board = self.board("--fast")

@@ -95,7 +95,8 @@ int stream_command(StreamOptions& asked) {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
         take_board(build, options);
-        const Drives drives = drives_of(wire, build.axes);
+        Drives drives = drives_of(wire, build.axes);
+        shape(machine_of(options), build, drives);
         const InterruptGuard guard;
         if (asked.rest) options.from_mm += mm_of(machine.stand(), options);
         options.gcode.obeyed.waits = true;

@@ -180,6 +180,7 @@ class RegisterFile : public testing::Test {
         if (dut_->reference_write_o) happened("REFERENCE");
         if (dut_->probe_write_o) happened("PROBE");
         if (dut_->homed_write_o) happened("HOMED");
+        if (dut_->shaper_write_o) happened("SHAPER");
         dut_.tick();
         if (reads_) {
             check_read();
@@ -237,11 +238,10 @@ class RegisterFile : public testing::Test {
         if (word.name == "CONTROL") return dut_->control_ready_i;
         if (word.name == "REFERENCE") return dut_->reference_ready_i;
         if (word.name == "PINS") {
-            constexpr uint32_t kAxes = (1U << CFG_Axes) - 1;
-            constexpr uint32_t kPolarities = kAxes << 9 | kAxes;
+            constexpr uint32_t kPolarities = 0x201 * ((1U << CFG_Axes) - 1);
             return dut_->off_i || ((data ^ word.value) & kPolarities) == 0;
         }
-        return !word.axis || dut_->off_i;
+        return (!word.axis && word.name != "SHAPER") || dut_->off_i;
     }
 
     uint32_t read_value(const Word& word, int address) {
@@ -371,7 +371,7 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         // At most one action happens, once: the requested one.
         const std::map<std::string, int> pushes = {
             {"SEGMENT_HI", 1}, {"PROFILE_HI", 1}, {"SCALE_HI", 1}, {"CONTROL", 1}, {"STATE", 1},
-            {"REFERENCE", 1},  {"SAMPLE", 1},     {"PROBE", 1},    {"HOMED", 1}};
+            {"REFERENCE", 1},  {"SAMPLE", 1},     {"PROBE", 1},    {"HOMED", 1},   {"SHAPER", 1}};
         std::map<std::string, int> expected_pushes;
         if (write && good && pushes.count(word.name)) expected_pushes[word.name] = 1;
         EXPECT_EQ(happened_, expected_pushes);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/machine/shaper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/text/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kMostGain = 6;  // of feed-forward: of the near difference
+constexpr double kLeft = 0.05;   // V of EI
+
+ShaperTaps impulses(const Vibration& mode, ShaperKind kind, double sample_s) {
+    const double root = std::sqrt(1 - mode.damping * mode.damping);
+    const double e = std::exp(-mode.damping * M_PI / root);
+    ShaperTaps taps;
+    taps.delay = static_cast<int>(std::lround(0.5 / (mode.hertz * root * sample_s)));
+    if (kind == ShaperKind::kZv) {
+        taps.near = 1 / (1 + e);
+        return taps;
+    }
+    const double first = (1 + kLeft) / 4;
+    const double sum = first + (1 - kLeft) / 2 * e + first * e * e;
+    taps.near = first / sum;
+    taps.far = -first * e * e / sum;
+    return taps;
+}
+
+double near_gain(const Vibration& mode, double tau) {
+    const double wt = 2 * M_PI * mode.hertz * tau;
+    return (mode.damping + 1 / wt) / wt;
+}
+
+}  // namespace
+
+std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double sample_s,
+                                                 int most) {
+    std::array<ShaperTaps, kMachineAxes> all;
+    int together = 0;  // samples, of feed-forward
+    for (const Vibration& mode : machine.modes) {
+        if (machine.shaper != ShaperKind::kFeedForward || mode.hertz == 0) continue;
+        int delay = 1;
+        while (delay <= most && near_gain(mode, delay * sample_s) > kMostGain) ++delay;
+        together = std::max(together, delay);
+    }
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const Vibration& mode = machine.modes[n];
+        ShaperTaps& taps = all[n];
+        taps.delay = together;
+        if (mode.hertz == 0 || machine.shaper == ShaperKind::kNone) continue;
+        if (machine.shaper == ShaperKind::kFeedForward) {
+            const double wt = 2 * M_PI * mode.hertz * together * sample_s;
+            taps.near = near_gain(mode, together * sample_s);
+            taps.far = (mode.damping - 1 / wt) / wt;
+        } else {
+            taps = impulses(mode, machine.shaper, sample_s);
+        }
+        if (taps.delay < 1 || taps.delay > most) {
+            throw InputError(
+                machine.name, 0,
+                fmt::format("{}: SHAPER_FREQUENCY = {:g} asks for a delay of {} "
+                            "samples of {:g} ms, 1 to {} are possible",
+                            kAxisLetters[n], mode.hertz, taps.delay, 1e3 * sample_s, most));
+        }
+    }
+    return all;
+}
+
+}  // namespace curvecore::ref
