@@ -20,7 +20,7 @@ LIMIT = round(FERROR * STEPS_PER_MM)
 PROGRAM = "G1 X4 Y-3\nG2 X6 Y-1 I0 J2\nG1 X0 Y0 Z1"
 FEED = 10  # mm/s
 STEP = 1 / STEPS_PER_MM
-CAPABILITY, ENCODERS = 0x08, 1 << 25
+CAPABILITY, WIDTHS, ENCODERS = 0x08, 0x48, 1 << 25
 HERTZ, DAMPING, RADIUS = 50, 0.05, 5
 TICK_S = 20e-6
 CLOCK_HZ = {"engine": 5.12e6, "parallel": 2.56e6}
@@ -180,6 +180,17 @@ class EncoderTest(unittest.TestCase):
                 place[axis] += TICK_S * speed[axis]
             worst = max(worst, abs(math.hypot(place[0] - RADIUS, place[1]) - RADIUS))
         return worst
+
+    def test_a_shaper_that_cannot_be(self):
+        board = self.board()
+        shaped = "[TRAJ]\nSHAPER = zv\n[AXIS_X]\nSHAPER_FREQUENCY = {}\n"
+        self.machine.write_text(shaped.format(1), encoding="ascii")
+        self.stream(board, 2, "X: SHAPER_FREQUENCY = 1 asks for a delay of 313 samples of 1.6 ms")
+        widths = read(board.port, WIDTHS)
+        said, bare = (word.to_bytes(4, "little") for word in (widths, widths & 0x7fff))
+        wire = Wire(board.port, change=lambda answer: answer.replace(said, bare))
+        self.machine.write_text(shaped.format(50), encoding="ascii")
+        self.stream(wire, 2, "mill.ini: SHAPER needs a board with the parameter Shaper")
 
     def test_a_tool_on_springs_is_nearer_to_the_path_with_a_shaper(self):
         for build in CLOCK_HZ:
