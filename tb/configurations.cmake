@@ -98,6 +98,10 @@ foreach(size ${sizes})
 endforeach()
 illegal_parameter_test(input_shaper Places=32 "Places must be a power of two in .64, 512.")
 illegal_parameter_test(input_shaper PeriodLog2=14 "PeriodLog2 must be at most 13")
+illegal_parameter_test(input_shaper Axes=10 "Axes must be in .1, 9.")
+illegal_parameter_test(input_shaper Axes=9,PeriodLog2=7 "27 clocks an axis and 6 must fit")
+illegal_parameter_test(step_generator Shaper=64,FineBits=23 "FineBits must be at least 24 with a")
+illegal_parameter_test(motion_pins Galvo=1,Shaper=64 "Galvo works without Shaper only")
 
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
