@@ -30,9 +30,9 @@ ShaperTaps impulses(const Vibration& mode, ShaperKind kind, double sample_s) {
     return taps;
 }
 
-double near_gain(const Vibration& mode, double tau) {
-    const double wt = 2 * M_PI * mode.hertz * tau;
-    return (mode.damping + 1 / wt) / wt;
+ShaperTaps feed_forward(const Vibration& mode, int delay, double sample_s) {
+    const double wt = 2 * M_PI * mode.hertz * delay * sample_s;
+    return {delay, (mode.damping + 1 / wt) / wt, (mode.damping - 1 / wt) / wt};
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
     for (const Vibration& mode : machine.modes) {
         if (machine.shaper != ShaperKind::kFeedForward || mode.hertz == 0) continue;
         int delay = 1;
-        while (delay <= most && near_gain(mode, delay * sample_s) > kMostGain) ++delay;
+        while (delay <= most && feed_forward(mode, delay, sample_s).near > kMostGain) ++delay;
         together = std::max(together, delay);
     }
     for (std::size_t n = 0; n < all.size(); ++n) {
@@ -52,13 +52,9 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
         ShaperTaps& taps = all[n];
         taps.delay = together;
         if (mode.hertz == 0 || machine.shaper == ShaperKind::kNone) continue;
-        if (machine.shaper == ShaperKind::kFeedForward) {
-            const double wt = 2 * M_PI * mode.hertz * together * sample_s;
-            taps.near = near_gain(mode, together * sample_s);
-            taps.far = (mode.damping - 1 / wt) / wt;
-        } else {
-            taps = impulses(mode, machine.shaper, sample_s);
-        }
+        taps = machine.shaper == ShaperKind::kFeedForward
+                   ? feed_forward(mode, together, sample_s)
+                   : impulses(mode, machine.shaper, sample_s);
         if (taps.delay < 1 || taps.delay > most) {
             throw InputError(
                 machine.name, 0,

@@ -211,6 +211,27 @@ TEST(LivePlan, OfASlowMachineDoesNotStopOnALine) {
     }
 }
 
+/// A queue of 1,024 words and an engine that loads two steps a tick carry eight branches a second
+/// at least: pieces are long enough to load them.
+TEST(LivePlan, OfABoardWithShortQueuesHasBranches) {
+    for (const double feed : {300, 1800, 4000}) {
+        sysc::Options options = live_options(fmt::format("G0 Z20\nG1 X60 F{}\nM2\n", feed));
+        options.core.build = sysc::Build::kEngine;
+        options.core.splines = options.core.mode = 1;
+        options.sample_period_s = 1.6e-3;
+        options.clock_hz = 5.12e6;
+        options.segment_queue_words = options.profile_queue_words = 1024;
+        sysc::JobStream job(options);
+        double seconds = 0;
+        std::size_t branches = 0;
+        while (const ref::Plan* part = job.next()) {
+            seconds += part->duration_s;
+            branches += part->branches.size();
+        }
+        EXPECT_GT(static_cast<double>(branches), 8 * seconds) << feed;
+    }
+}
+
 /// Time that is left at a program's last place is 0, also where it rests there: else stream waits.
 TEST(LivePlan, NothingIsLeftBehindALastDwell) {
     sysc::Options options = live_options("G1 X5 F600\nG4 P9\nM2\n");

@@ -63,7 +63,10 @@ class InputShaper : public testing::Test {
         }
         int next = 0;
         for (int n = 0; n < 30 * kAxes && next < kAxes; ++n) {
-            if (dut_->load_o != 0) compare(next++, none, rates);
+            if (dut_->load_o != 0) {
+                ASSERT_EQ(n, 25 * kAxes + 1 + next);  // as the module's header says
+                compare(next++, none, rates);
+            }
             clock();
         }
         ASSERT_EQ(next, kAxes);
