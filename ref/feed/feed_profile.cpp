@@ -92,9 +92,9 @@ int line_of(const FeedTask& task, std::size_t planned) {
     return task.program.moves[task.geometry.moves[planned].move].line;
 }
 
-/// Returns true if a profile is longer for its stop branches, or for pieces that are cut for them.
+/// Returns true if a profile is longer for pieces that are cut for its stop branches.
 bool costs_of_branches(const FeedTask& task, const Plan& plan) {
-    if (!task.options.has_branches() || !plan.branches.empty()) return !plan.branches.empty();
+    if (!task.options.has_branches()) return false;
     const Reach longest = longest_piece({task.machine, plan.unit_mm, plan.tick_s});
     const auto cut = std::count_if(
         plan.pieces.begin(), plan.pieces.end(),
@@ -117,9 +117,10 @@ Uncovered lay(const FeedTask& task, const WindowMotion& motion, Plan& plan) {
         set_close_hold_bounds(task.program, task.machine, task.options, task.geometry, plan);
         without = uncovered(task.geometry, task.options, plan);
     }
-    if (without.any() || !task.whole || !task.options.has_branches()) return without;
-    set_branches(task.program, task.machine, task.geometry, task.options, plan);
-    return uncovered(task.geometry, task.options, plan);
+    if (!without.any() && task.whole && task.options.has_branches()) {
+        set_branches(task.program, task.machine, task.geometry, task.options, plan);
+    }
+    return without;
 }
 
 /// Goes through all of a motion more slowly, no more than the queues need: stops are then shorter,

@@ -21,19 +21,25 @@ constexpr std::uint32_t kMaxTicks = 1u << 19;  // longest piece, ticks
 /// Largest planned exponent: its rounding, 2^(e-35) quanta, stays below 2^-11 unit.
 constexpr int kMaxPlannedExponent = 40;
 
-/// Longest piece: `ticks`, or `slow_ticks` if it covers at most `path` quanta.
+/// Longest piece: `ticks`, or `slow_ticks` if it covers at most `path` quanta. Parts of a motion
+/// are not shorter than `least` ticks for that.
 struct Reach {
     std::uint64_t ticks = kMaxTicks;
     std::uint64_t slow_ticks = 0;
     std::uint64_t path = 0;  // quanta
+    std::uint64_t least = 1;
 
+    bool holds(std::uint64_t time, std::uint64_t gone) const {
+        return time <= ticks || (time <= slow_ticks && gone <= path);
+    }
     /// Returns the number of such pieces, alike, that a motion at constant speed takes.
     std::uint64_t parts(std::uint64_t time, std::uint64_t gone) const {
         const auto shares = [](std::uint64_t whole, std::uint64_t most) {
             return most == 0 ? whole : (whole + most - 1) / most;
         };
         const std::uint64_t slow = std::max(shares(time, slow_ticks), shares(gone, path));
-        return std::max<std::uint64_t>(1, std::min(shares(time, ticks), slow));
+        const std::uint64_t parts = std::min(shares(time, ticks), slow);
+        return std::max<std::uint64_t>(1, std::min(parts, time / least));
     }
 };
 

@@ -50,16 +50,19 @@ class BranchPlanner {
     }
     std::vector<PlannedBranch> finish() {
         find_until(kUnlimited);
-        for (std::size_t i = 0; i < branches_.size(); ++i) {
-            const std::uint64_t next =
-                i + 1 < branches_.size() ? due_[branches_[i + 1].piece] : end_;
+        return std::move(branches_);
+    }
+
+    /// Sets the ticks from each branch in which the next one comes.
+    void set_waits(std::vector<PlannedBranch>& branches) const {
+        for (std::size_t i = 0; i < branches.size(); ++i) {
+            const std::uint64_t next = i + 1 < branches.size() ? due_[branches[i + 1].piece] : end_;
             // A rest must not be passed, to move again. A branch that passes at another rate is
             // reported up to kStopLead ticks after its place.
             const std::uint64_t wait =
-                std::min(next - due_[branches_[i].piece], distance_.slow_ticks) + kStopLead;
-            branches_[i].wait = static_cast<std::uint32_t>(wait);
+                std::min(next - due_[branches[i].piece], distance_.slow_ticks) + kStopLead;
+            branches[i].wait = static_cast<std::uint32_t>(wait);
         }
-        return std::move(branches_);
     }
 
   private:
@@ -88,7 +91,7 @@ class BranchPlanner {
     bool near(std::size_t piece) const {
         if (branches_.empty() || due_[piece] >= end_) return false;
         const std::size_t last = branches_.back().piece;
-        return distance_.parts(due_[piece] - due_[last], path_[piece] - path_[last]) == 1;
+        return distance_.holds(due_[piece] - due_[last], path_[piece] - path_[last]);
     }
 
     /// Returns the words of the queue that are left for closer branches: from branch to branch the
@@ -140,12 +143,12 @@ class BranchPlanner {
 }  // namespace
 
 Reach longest_piece(const PieceGrid& grid) {
+    constexpr std::uint64_t kLeast = kStopLead + 1;  // ticks
     const auto ticks = [&](double time) {
-        return std::max<std::uint64_t>(kStopLead + 1,
-                                       static_cast<std::uint64_t>(std::floor(time / grid.tick)));
+        return std::max(kLeast, static_cast<std::uint64_t>(std::floor(time / grid.tick)));
     };
     return {ticks(kApartTime), ticks(kSlowApartTime),
-            static_cast<std::uint64_t>(kApartPath / grid.quantum)};
+            static_cast<std::uint64_t>(kApartPath / grid.quantum), kLeast};
 }
 
 bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan) {
@@ -174,6 +177,8 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
     plan.branches = planner.finish();
+    drop_uncovered(options, plan);
+    planner.set_waits(plan.branches);
     // A machine that stops at once would stop later if it waited for a branch.
     double most = 0;
     std::uint32_t wait = kStopLead;

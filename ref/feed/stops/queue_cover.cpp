@@ -93,6 +93,44 @@ Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const 
             share(ends_of_pieces(plan), options.profile_queue_words)};
 }
 
+void drop_uncovered(const PlanOptions& options, Plan& plan) {
+    const std::uint64_t needed = needed_ticks(plan);
+    const std::size_t most = room(options.profile_queue_words);
+    std::vector<PlannedBranch> kept;  // of pieces before `end`
+    std::size_t next = 0;             // branch of a piece at `end` or behind it
+    std::size_t oldest = 0;           // in `kept`, of a piece that is not before `first`
+    std::size_t end = 0;
+    std::size_t words = 0;  // words and ticks of the pieces first .. end - 1
+    std::uint64_t ticks = 0;
+    for (std::size_t first = 0;; ++first) {
+        for (;;) {
+            const bool branch = next < plan.branches.size() && plan.branches[next].piece == end;
+            const std::size_t more =
+                kProfileBusWords + (branch ? branch_words(plan.branches[next]) : 0);
+            if (end < plan.pieces.size() && (words + more <= most || end == first)) {
+                words += more;
+                ticks += plan.pieces[end++].ticks;
+                if (branch) kept.push_back(std::move(plan.branches[next++]));
+            } else if (end == plan.pieces.size()) {
+                plan.branches = std::move(kept);
+                return;
+            } else if (ticks < needed && branch) {
+                ++next;
+            } else if (ticks < needed && oldest < kept.size()) {
+                words -= branch_words(kept.back());
+                kept.pop_back();
+            } else {
+                break;
+            }
+        }
+        words -= kProfileBusWords;
+        ticks -= plan.pieces[first].ticks;
+        if (oldest < kept.size() && kept[oldest].piece == first) {
+            words -= branch_words(kept[oldest++]);
+        }
+    }
+}
+
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
                           std::size_t given, int round, std::vector<Slowed>& moves) {
     const Ends segments = ends_of_segments(geometry, options);

@@ -22,6 +22,9 @@ struct Uncovered {
 };
 Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const Plan& plan);
 
+/// Drops the branches with which three quarters of a queue do not last so long.
+void drop_uncovered(const PlanOptions& options, Plan& plan);
+
 /// Slows the planned moves except the first `given` if three quarters of a queue (the host refills
 /// the rest) do not last for a stop of the plan and kHostLate, so that they do.
 ///

@@ -6,6 +6,7 @@
 
 #include "hls/words.hpp"
 #include "ref/feed/planner.hpp"
+#include "ref/feed/stops/queue_cover.hpp"
 #include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
 #include "tb/support/judge/hold_run.hpp"
@@ -208,6 +209,34 @@ TEST(PlannedBranches, LeaveAStopInTheQueue) {
                 << curve.name << " " << queue;
         }
     }
+}
+
+TEST(PlannedBranches, AreDroppedOnlyWhereTheQueueIsShort) {
+    int some = 0;
+    for (const Curve& curve : curves()) {
+        const Plan whole = make_plan(curve.program, curve.machine, {});
+        Plan bare = whole;
+        bare.branches.clear();
+        for (const int queue : {256, 512, 1024, 65536}) {
+            const auto words = static_cast<std::size_t>(queue);
+            Plan plan = whole;
+            ref::PlanOptions options;
+            options.profile_queue_words = queue;
+            drop_uncovered(options, plan);
+            const std::uint64_t needed =
+                plan.stop_ticks + 64 +
+                static_cast<std::uint64_t>(std::ceil(ref::kHostLate / plan.tick_s));
+            if (least_cover(whole, words) >= needed) {
+                EXPECT_EQ(plan.branches.size(), whole.branches.size())
+                    << curve.name << " " << queue;
+            } else if (least_cover(bare, words) >= needed) {
+                EXPECT_GE(least_cover(plan, words), needed) << curve.name << " " << queue;
+                EXPECT_LT(plan.branches.size(), whole.branches.size());
+                some += plan.branches.empty() ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_GT(some, 0);
 }
 
 TEST(PlannedBranches, GiveWayWhereTheQueueIsShort) {
