@@ -7,20 +7,24 @@
 #   scripts/campaign.sh [--samples N] [PART ...]    all parts, or these; N: 1000000000 when left out
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
 #
-#   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
-#   overrides  every program at overrides of 1..200 %, at some in the system and on the engine
-#   models     tests of models with all their random cases, 10^4 cubics at slow clocks
-#   equality   N samples of the RTL against the kernel, in every configuration
-#   microcode  N words of the engine's twin, and 10^5 samples of its RTL, in every configuration
-#   steps      10^8 steps under the monitors of the pins
-#   program    the demo part from words to pins: core, system
-#   buses      20,000 accesses on every bus, 2,000 on lines, 40,000 datagrams
-#   curves     errors of arcs and splines
-#   ranges     ranges of words, drift over 10^7 segments
-#   limits     pairs of machines that differ in one limit
-#   sanitizers tests of models, units and commands with the sanitizers, 10^5 mutations
-#   coverage   lines and branches that tests run
-#   pages      figures of the pages that are the same on every machine
+#   tidy         clang-tidy of every file
+#   units        unit tests of every configuration, with all their random cases
+#   long         tests of label long
+#   overrides    every program at overrides of 1..200 %, at some in the system and on the engine
+#   models       tests of models with all their random cases, 10^4 cubics at slow clocks
+#   equality     N samples of the RTL against the kernel, in every configuration
+#   microcode    N words of the engine's twin, and 10^5 samples of its RTL, in every configuration
+#   steps        10^8 steps under the monitors of the pins
+#   program      the demo part from words to pins: core, system
+#   buses        20,000 accesses on every bus, 2,000 on lines, 40,000 datagrams
+#   curves       errors of arcs and splines
+#   ranges       ranges of words, drift over 10^7 segments
+#   limits       pairs of machines that differ in one limit
+#   asanmodels   tests of models with the sanitizers, 10^5 mutations
+#   asanunits    unit tests with the sanitizers
+#   asancommands tests of commands with the sanitizers, 10^5 mutations
+#   coverage     lines and branches that tests run
+#   pages        figures of the pages that are the same on every machine
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mapfile -t known < <(sed -nE 's/^#   ([a-z]+) +[a-z0-9N].*/\1/p' "$0")
@@ -30,7 +34,7 @@ list=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      sed -n '3,24s/^# \{0,1\}//p' "$0"
+      sed -n '3,28s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     --list) list=true ;;
@@ -92,17 +96,30 @@ result() { grep . >>"$out/$part.results"; }
 # What ctest says at its end.
 none_failed() { sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' "$1"; }
 
-tests() {
-  build all label_long
-  CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
-  CURVECORE_LONG=1 ctest --preset release -L "^(unit|long)$" -E LongOverride | tee $out/tests.run
-  none_failed $out/tests.run | result
+# Runs tests, as ctest's options say which.
+run_tests() {
+  ctest --preset release "$@" | tee $out/$part.run
+  none_failed $out/$part.run | result
+}
+
+tidy() {
+  build all
+  CURVECORE_TIDY=all run_tests -R "^lint\\..*\\.tidy$"
+}
+
+units() {
+  build label_unit
+  CURVECORE_LONG=1 run_tests -L "^unit$"
+}
+
+long() {
+  build label_long
+  CURVECORE_LONG=1 run_tests -L "^long$" -E LongOverride
 }
 
 overrides() {
   build curvecore cli_tests
-  ctest --preset release -R LongOverride | tee $out/overrides.run
-  none_failed $out/overrides.run | result
+  run_tests -R LongOverride
 }
 
 models() {
@@ -237,12 +254,14 @@ limits() {
   tail -1 $out/limits.run | result
 }
 
-sanitizers() {
-  for label in model unit cli; do
-    CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$label" | tee $out/sanitizers.run
-    none_failed $out/sanitizers.run | sed "s/^/$label: /" | result
-  done
+# Runs the tests of a label with the sanitizers.
+sanitized() {
+  CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$1" | tee $out/$part.run
+  none_failed $out/$part.run | result
 }
+asanmodels() { sanitized model; }
+asanunits() { sanitized unit; }
+asancommands() { sanitized cli; }
 
 coverage() {
   scripts/coverage.sh | tee $out/coverage.run
