@@ -51,8 +51,31 @@ inline std::uint64_t pack(const OutputChange& change, unsigned number) {
            put(kOutputKindField, static_cast<int>(change.kind)) | put(kOutputNumberField, number);
 }
 
+/// Ways of the samples, some samples later: the tool is as far behind the path with a shaper.
+class WayDelay {
+  public:
+    /// Sets the samples, while nothing moves.
+    void set(int samples) { samples_ = static_cast<std::size_t>(samples); }
+
+    /// Takes the way of a period; returns the one that counts in it.
+    std::uint32_t next(std::uint32_t way) {
+        ways_.push_front(way);
+        if (ways_.size() > kMost) ways_.pop_back();
+        return samples_ < ways_.size() ? ways_[samples_] : 0;
+    }
+    void clear() { ways_.clear(); }
+
+  private:
+    static constexpr std::size_t kMost = 512;
+    std::size_t samples_ = 0;
+    std::deque<std::uint32_t> ways_;
+};
+
 class PathOutputs {
   public:
+    /// Sets the samples by which all is later, while nothing moves.
+    void delay(int samples) { delay_.set(samples); }
+
     /// Takes a word. Returns false, and takes nothing, if it is not a change, or not the next one.
     bool take(std::uint64_t word) {
         const bool valid = get(kTagField, word) == static_cast<std::uint64_t>(Tag::kOutput) &&
@@ -70,11 +93,12 @@ class PathOutputs {
     /// Goes on to a sample at this path, in quanta.
     void sample(std::uint64_t path) {
         const auto place = static_cast<std::uint32_t>(path >> (kRateFrac - kOutputPathFrac));
-        way_ = place - before_;
+        go(place - before_);
         before_ = place;
-        left_ -= way_;
-        settle();
     }
+
+    /// Goes on through a period without a sample, of a core with a shaper.
+    void none() { go(0); }
 
     /// Drops what waits; the path begins at 0. What is on stays on, or goes off.
     void flush(bool keep) {
@@ -84,6 +108,7 @@ class PathOutputs {
         left_ = 0;
         counted_ = false;
         before_ = 0;
+        delay_.clear();
     }
 
     unsigned bits() const { return bits_; }
@@ -100,6 +125,11 @@ class PathOutputs {
     std::size_t waiting() const { return waiting_.size(); }
 
   private:
+    void go(std::uint32_t way) {
+        way_ = delay_.next(way);
+        left_ -= way_;
+        settle();
+    }
     void settle() {
         while (!waiting_.empty()) {
             const OutputChange& next = waiting_.front();
@@ -113,6 +143,7 @@ class PathOutputs {
         }
     }
 
+    WayDelay delay_;
     std::deque<OutputChange> waiting_;
     unsigned number_ = 0;
     std::int64_t left_ = 0;  // way to the next change

@@ -109,6 +109,7 @@ node/series_state.sv
 node/square_integrator.sv
 node/stieltjes_integrator.sv
 output/path_outputs.sv
+output/way_delay.sv
 path/path_generator.sv
 path/path_increment.sv
 path/path_interpolator.sv

@@ -45,7 +45,6 @@ module motion_system #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Requests
     input  wire logic                 valid_i,
     input  wire logic                 write_i,
     input  wire logic [          6:0] word_i,
@@ -60,7 +59,6 @@ module motion_system #(
     input  wire logic                 profile_valid_i,
     output logic                      profile_ready_o,
     input  wire logic [         47:0] profile_data_i,
-    // Pins
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
     input  wire logic                 probe_i,
@@ -282,6 +280,7 @@ module motion_system #(
       .SampleBufferWords(SampleBufferWords),
       .PeriodLog2(PeriodLog2),
       .Outputs(Outputs),
+      .Shaper(Shaper),
       .Program(Program),
       .Data(Data)
   ) u_sources (
@@ -333,6 +332,7 @@ module motion_system #(
       .drawn_i(tick),
       .outputs_o(outputs),
       .pwm_o,
+      .shaper_write_i(shaper_write),
       .path_rate_o(rate),
       .path_o(path),
       .path_changes_o(path_changes),

@@ -80,13 +80,14 @@ foreach(size ${sizes})
 endforeach()
 illegal_parameter_test(position_buffer Holds=2 "Holds must be 0 or 1")
 
-# Outputs along the path: words that wait, form of their memory.
-rows(sizes 64,0 1024,2)
+# Outputs along the path: words that wait, form of their memory, samples that are kept for a delay.
+rows(sizes 64,0,0 1024,2,0 64,0,64)
 foreach(size ${sizes})
-  read_row(${size} words form)
-  core_test(path_outputs w${words}_${form_${form}} TOP path_outputs
-            PARAMS Words=${words} Form=${form} SOURCES ${primitives_${form}})
+  read_row(${size} words form delay)
+  core_test(path_outputs w${words}_${form_${form}}_d${delay} TOP path_outputs
+            PARAMS Words=${words} Form=${form} Delay=${delay} SOURCES ${primitives_${form}})
 endforeach()
+illegal_parameter_test(path_outputs Delay=96 "Places must be a power of two in .64, 512.")
 illegal_parameter_test(path_outputs Words=96 "Words must be a power of two in .64, 4096.")
 
 # Shapers: axes, period, places that are kept.

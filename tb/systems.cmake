@@ -30,9 +30,15 @@ target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 # With outputs along the path.
 set(long_queues SegmentQueueWords=1024 ProfileQueueWords=2048)
 system_test(motion_outputs parallel ${system} ${long_queues} Build=0 PeriodLog2=8 ScaleBits=48
-            Galvo=0 Outputs=64)
-system_test(motion_outputs engine ${engine} ${long_queues} Outputs=1024)
+            Galvo=0 Outputs=64 Shaper=0)
+system_test(motion_outputs engine ${engine} ${long_queues} Outputs=1024 Shaper=0)
 # With a shaper of what swings behind the drives.
 system_test(motion_shaper parallel ${system} ${long_queues} Build=0 PeriodLog2=8 ScaleBits=48
             Galvo=0 Shaper=256)
 system_test(motion_shaper engine ${engine} ${long_queues} Shaper=64)
+# Both: outputs where the tool is.
+set(where_the_tool_is *.ChangeWhere*:*.KeepTheir*)
+system_test(motion_outputs parallel_shaped TESTS ${where_the_tool_is} ${system} ${long_queues}
+            Build=0 PeriodLog2=8 ScaleBits=48 Galvo=0 Outputs=64 Shaper=256)
+system_test(motion_outputs engine_shaped TESTS ${where_the_tool_is} ${engine} ${long_queues}
+            Outputs=1024 Shaper=64)

@@ -375,7 +375,7 @@
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_LOW 0
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_MASK 0xffffffffu
 
-/* A word of the shaper of an axis: rtl/pulse/input_shaper.sv. Refused while STATE.enabled. Who writes one writes all, three of each axis, or 0: they count until the drives are off again; without any, steps follow samples. */
+/* A word of the shaper of an axis: rtl/pulse/input_shaper.sv. Refused while STATE.enabled. Who writes one writes all, three of each axis and the outputs' delay, or 0: they count until the drives are off again; without any, steps follow samples. */
 #define CURVECORE_SHAPER 0x1fc
 #define CURVECORE_SHAPER_VALUE_LOW 0
 #define CURVECORE_SHAPER_VALUE_MASK 0x0003ffffu

@@ -66,4 +66,16 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
     return all;
 }
 
+int tool_delay(const Machine& machine, const std::array<ShaperTaps, kMachineAxes>& taps,
+               double sample_s) {
+    double most = 0;  // samples
+    for (std::size_t n = 0; n < taps.size(); ++n) {
+        const Vibration& mode = machine.modes[n];
+        if (mode.hertz == 0) continue;
+        const double own = mode.damping / (M_PI * mode.hertz * sample_s);
+        most = std::max(most, taps[n].delay * (1 - taps[n].near - taps[n].far) + own);
+    }
+    return static_cast<int>(std::lround(most));
+}
+
 }  // namespace curvecore::ref

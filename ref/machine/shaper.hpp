@@ -31,8 +31,14 @@ struct ShaperTaps {
 };
 
 /// Returns the taps of each axis. Axes without a mode are late by as much with feed-forward, and
-/// not shaped otherwise.
+/// not shaped otherwise. No taps without a shaper.
 /// @throws InputError: a mode needs a delay of no or more than `most` samples
 std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double sample_s, int most);
+
+/// Returns the samples by which the tool is later than the path at constant speed, of the latest
+/// axis with a mode: the mean of the taps' times, and the mode's own 2 z / w, which is all without
+/// taps.
+int tool_delay(const Machine& machine, const std::array<ShaperTaps, kMachineAxes>& taps,
+               double sample_s);
 
 }  // namespace curvecore::ref

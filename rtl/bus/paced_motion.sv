@@ -30,6 +30,7 @@ module paced_motion #(
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int PeriodLog2        = 13,
     parameter int Outputs           = 0,     // 0: none; rtl/output/path_outputs.sv
+    parameter int Shaper            = 0,     // its Delay
     parameter     Program           = "",    // files of Build 2
     parameter     Data              = ""
 ) (
@@ -82,6 +83,8 @@ module paced_motion #(
     output logic      [ 7:0] bits_o,
     output logic      [11:0] power_o,
     output logic             pwm_o,
+    input  wire logic        delay_write_i,
+    input  wire logic [ 8:0] delay_i,
 
     // Telemetry
     output logic [16:0] path_rate_o,
@@ -339,7 +342,8 @@ module paced_motion #(
   if (Outputs != 0) begin : g_outputs
     path_outputs #(
         .Words(Outputs),
-        .Form (MultiplierForm)
+        .Form (MultiplierForm),
+        .Delay(Shaper)
     ) u_outputs (
         .clk_i,
         .rst_ni,
@@ -355,6 +359,8 @@ module paced_motion #(
         .taken_i (taken && !by_host_i),
         .drawn_i,
         .enable_i(!off_i),
+        .delay_write_i,
+        .delay_i,
         .bits_o,
         .power_o,
         .pwm_o
@@ -367,7 +373,7 @@ module paced_motion #(
     assign bits_o = '0;
     assign power_o = '0;
     assign pwm_o = 1'b0;
-    assign unused = &{1'b0, keeps_i, drawn_i, path_valid, by_host_i, off_i};
+    assign unused = &{1'b0, keeps_i, drawn_i, path_valid, by_host_i, off_i, delay_write_i, delay_i};
   end
 
 endmodule

@@ -27,6 +27,7 @@ module sample_sources #(
     parameter int SampleBufferWords = 512,
     parameter int PeriodLog2        = 13,
     parameter int Outputs           = 0,
+    parameter int Shaper            = 0,
     parameter     Program           = "",
     parameter     Data              = ""
 ) (
@@ -91,8 +92,9 @@ module sample_sources #(
     // Outputs: rtl/output/path_outputs.sv
     input  wire logic        keeps_i,
     input  wire logic        drawn_i,
-    output logic      [31:0] outputs_o,  // contents of the register OUTPUTS
+    output logic      [31:0] outputs_o,      // contents of the register OUTPUTS
     output logic             pwm_o,
+    input  wire logic        shaper_write_i, // position_i is a word of the shaper
 
     // Telemetry
     output logic [16:0] path_rate_o,
@@ -155,6 +157,7 @@ module sample_sources #(
       .SamplesAhead(SamplesAhead),
       .PeriodLog2(PeriodLog2),
       .Outputs(Outputs),
+      .Shaper(Shaper),
       .Program(Program),
       .Data(Data)
   ) u_motion (
@@ -195,6 +198,8 @@ module sample_sources #(
       .bits_o(bits),
       .power_o(power),
       .pwm_o,
+      .delay_write_i(shaper_write_i && position_i[23:22] == 2'd3),
+      .delay_i(position_i[8:0]),
       .path_rate_o,
       .path_o,
       .path_changes_o,

@@ -17,11 +17,13 @@
 // one of outputs and the next in order; it is taken with ready_o, one in 6 clocks while there is
 // room. Any other word is left to the motion's entry, which refuses it. Nothing is on without
 // enable_i; what was on is off then. A flush drops what waits and what is made: the next program
-// begins at path 0. What is on stays on with keep_i.
+// begins at path 0. What is on stays on with keep_i. With Delay all is later by the samples
+// of delay_i, and 2 clocks; in a period without a sample it goes on as in one without a way.
 `default_nettype none
 module path_outputs #(
     parameter int Words = 1024,  // [64, 4096], a power of two: words that wait
-    parameter int Form  = 0      // memory: rtl/queue/single_port_memory.sv
+    parameter int Form  = 0,     // memory: rtl/queue/single_port_memory.sv
+    parameter int Delay = 0      // 0: none; Places of rtl/output/way_delay.sv
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -39,6 +41,9 @@ module path_outputs #(
     input wire logic        taken_i,  // the next one waits to be drawn
     input wire logic        drawn_i,  // it is drawn from here
     input wire logic        enable_i,
+
+    input wire logic       delay_write_i,  // while not enabled
+    input wire logic [8:0] delay_i,
 
     output logic [ 7:0] bits_o,
     output logic [11:0] power_o,
@@ -138,19 +143,43 @@ module path_outputs #(
     else if (moves_q[0]) way_q <= path_q - before_q;
   end
 
+  logic moves;
+  logic [31:0] way;
+  if (Delay != 0) begin : g_delay
+    way_delay #(
+        .Places(Delay)
+    ) u_delay (
+        .clk_i,
+        .rst_ni,
+        .flush_i,
+        .off_i  (!enable_i),
+        .write_i(delay_write_i),
+        .delay_i,
+        .drawn_i,
+        .moves_i(moves_q[1]),
+        .way_i  (way_q),
+        .moves_o(moves),
+        .way_o  (way)
+    );
+  end else begin : g_no_delay
+    logic unused;
+    assign moves  = moves_q[1];
+    assign way    = way_q;
+    assign unused = &{1'b0, delay_write_i, delay_i};
+  end
+
   // The way to the next change: it is due when nothing is left.
   logic signed [35:0] left_q, change;
   logic loads;
-  assign loads = next_valid_q && !loaded_q && !moves_q[1];
-  assign change = moves_q[1] ? {4'hf, ~way_q} :
-      {2'b00, next_q[words_pkg::OutputDistanceLow+:26], 8'd0};
-  assign apply = loaded_q && !moves_q[1] && left_q <= 0;
+  assign loads  = next_valid_q && !loaded_q && !moves;
+  assign change = moves ? {4'hf, ~way} : {2'b00, next_q[words_pkg::OutputDistanceLow+:26], 8'd0};
+  assign apply  = loaded_q && !moves && left_q <= 0;
   always_ff @(posedge clk_i) begin
     if (!takes_words) begin
       left_q   <= '0;
       loaded_q <= 1'b0;
     end else begin
-      if (moves_q[1] || loads) left_q <= left_q + change + 36'(moves_q[1]);
+      if (moves || loads) left_q <= left_q + change + 36'(moves);
       if (loads) loaded_q <= 1'b1;
       else if (apply) loaded_q <= 1'b0;
     end
@@ -198,16 +227,16 @@ module path_outputs #(
   assign sum = added[13:1];
   assign constant = follow_q[11:1] == '0;
   always_ff @(posedge clk_i) begin
-    begin_q <= moves_q[1] || changes_level;
+    begin_q <= moves || changes_level;
     count_q <= count_q - 1'b1;
     if (!work) begin
       state_q <= Whole;
       power_o <= '0;
     end else if (begin_q) begin
       state_q  <= constant ? Whole : Scale;
-      scaled_q <= {way_q, 12'd0};
+      scaled_q <= {way, 12'd0};
       count_q  <= follow_q[11:7];
-      if (constant) power_o <= (follow_q[0] && way_q == '0) ? 12'd0 : level_q;
+      if (constant) power_o <= (follow_q[0] && way == '0) ? 12'd0 : level_q;
     end else begin
       case (state_q)
         Scale: begin

@@ -165,20 +165,20 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
 void RemoteMachine::shape(const Drives& drives) {
     shaper_samples_ = 0;
     if (build_.shaper_places == 0) return;
+    const auto set = [this](int kind, int axis, double value) {
+        const auto word = static_cast<std::uint32_t>(std::lround(value));
+        write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, kind) |
+                                    CURVECORE_PUT(SHAPER_AXIS, axis) |
+                                    (word & CURVECORE_SHAPER_VALUE_MASK));
+    };
     for (int axis = 0; axis < build_.axes; ++axis) {
         const ref::ShaperTaps& taps = drives.shaper[static_cast<std::size_t>(axis)];
-        const auto gain = [](double value) {
-            return static_cast<std::int32_t>(std::lround(std::ldexp(value, hls::kGainFrac)));
-        };
-        const std::array<std::int32_t, 3> words{taps.delay, gain(taps.near), gain(taps.far)};
-        for (std::size_t kind = 0; kind < words.size(); ++kind) {
-            const std::uint32_t value = static_cast<std::uint32_t>(words[kind]);
-            write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, kind) |
-                                        CURVECORE_PUT(SHAPER_AXIS, axis) |
-                                        (value & CURVECORE_SHAPER_VALUE_MASK));
-        }
+        set(0, axis, taps.delay);
+        set(1, axis, std::ldexp(taps.near, hls::kGainFrac));
+        set(2, axis, std::ldexp(taps.far, hls::kGainFrac));
         shaper_samples_ = std::max(shaper_samples_, 2 * taps.delay);
     }
+    set(3, 0, drives.tool_delay);
 }
 
 /// Sets a scale; counts of steps give an axis' place as long as its scale is unchanged.

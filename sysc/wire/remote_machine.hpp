@@ -37,6 +37,7 @@ struct Drives {
     double dirsetup_s = 4e-6;
     double dirhold_s = 4e-6;
     std::array<ref::ShaperTaps, ref::kMachineAxes> shaper{};
+    int tool_delay = 0;  // samples, of the outputs
 };
 
 /// Ratio of an encoder's edges to steps; steps < 0: it counts backwards.

@@ -42,6 +42,7 @@ void shape(const ref::Machine& machine, const RemoteBuild& build, Drives& drives
     }
     const int most = build.shaper_places / 2 - 1;
     drives.shaper = ref::shaper_taps(machine, build.sample_period_s, most);
+    drives.tool_delay = ref::tool_delay(machine, drives.shaper, build.sample_period_s);
 }
 
 Drives drives_of(const WireOptions& options, int axes) {

@@ -76,6 +76,28 @@ TEST(Shaper, FeedForwardIsTheInverseOfTheMode) {
     }
 }
 
+TEST(Shaper, ToolsAreLateByTheDelayOfTapsAndMode) {
+    const Complex s(0, 1e-3);  // so slow that the phase is the delay
+    for (const ShaperKind kind : {ShaperKind::kFeedForward, ShaperKind::kZv, ShaperKind::kEi}) {
+        for (const double damping : {0.0, 0.05, 0.3}) {
+            Machine machine;
+            machine.shaper = kind;
+            machine.modes[1] = {40, damping};
+            const auto taps = ref::shaper_taps(machine, kSample, 255);
+            const double w = 2 * M_PI * 40;
+            const Complex mode = 1.0 + 2 * damping / w * s + s * s / (w * w);
+            const Complex tool =
+                response(taps[1], s) * std::exp(-s * (taps[1].delay * kSample)) / mode;
+            const int delay = ref::tool_delay(machine, taps, kSample);
+            EXPECT_NEAR(delay * kSample, -std::arg(tool) / s.imag(), 0.501 * kSample) << damping;
+            if (kind == ShaperKind::kFeedForward) {
+                EXPECT_EQ(delay, taps[1].delay);
+            }
+        }
+    }
+    EXPECT_EQ(ref::tool_delay({}, {}, kSample), 0);
+}
+
 TEST(Shaper, AxesWithoutAModeAreAsLateWithFeedForward) {
     Machine machine;
     machine.shaper = ShaperKind::kFeedForward;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs of rtl/motion_system.sv: the pins change where the program says, at any rate, through
-// holds, and are off without the drives.
+// holds, and are off without the drives. With a shaper it is the tool that is there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "hls/path_outputs.hpp"
 #include "tb/support/bench/motion_system_bench.hpp"
+#include "tb/support/bench/sprung_tool.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -48,6 +49,9 @@ class MotionOutputs : public MotionSystem {
   protected:
     void SetUp() override {
         host_.each_clock = [this] { watch(); };
+        if (CFG_Shaper == 0) return;
+        constexpr double kSample = static_cast<double>(kSystemPeriod) / CFG_ClockHertz;  // s
+        shape(host_, ref::ShaperKind::kFeedForward, kSample, kSystemAxes, CFG_Shaper);
     }
 
     void watch() {
@@ -55,7 +59,11 @@ class MotionOutputs : public MotionSystem {
             ASSERT_EQ(host_->output_o, 0);
             ASSERT_EQ(host_->pwm_o, 0);
         }
-        const double x = static_cast<double>(host_.drive(0).count() - start_[0]) / kStepsPerMm;
+        double x = static_cast<double>(host_.drive(0).count() - start_[0]) / kStepsPerMm;
+        if (CFG_Shaper != 0) {
+            tool_.follow(x, 1.0 / CFG_ClockHertz);
+            x = tool_.place();
+        }
         for (auto edge = edges_.rbegin(); edge != edges_.rend(); ++edge) {
             if (host_.now() > edge->clock + kSystemPeriod) break;
             edge->end = x;
@@ -77,12 +85,14 @@ class MotionOutputs : public MotionSystem {
             host_.samples(2);
         }
         host_.finish(part_);
+        host_.samples(CFG_Shaper);
         expect_drawn(start_);
     }
 
     /// Checks that all edges came, each at the begin of the sample in which its place is.
     void expect_edges() {
-        const double rounding = 0.6 / kStepsPerMm;  // a pin steps half-way
+        // A pin steps half-way; a tool is a little off the path.
+        const double rounding = (CFG_Shaper == 0 ? 0.6 : 1.2) / kStepsPerMm;
         ASSERT_EQ(edges_.size(), kEdges.size());
         for (std::size_t n = 0; n < kEdges.size(); ++n) {
             const auto [from, to] = std::minmax(edges_[n].x, edges_[n].end);
@@ -95,6 +105,7 @@ class MotionOutputs : public MotionSystem {
     uint32_t power() { return CURVECORE_FIELD(host_.read(CURVECORE_OUTPUTS), OUTPUTS_POWER); }
 
     std::vector<DrawnEdge> edges_;
+    SprungTool tool_;
     unsigned last_ = 0;
     std::vector<int64_t> start_{0, 0, 0};  // steps, where the program begins
 };

@@ -6,33 +6,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hls/input_shaper.hpp"
-#include "ref/machine/shaper.hpp"
 #include "tb/support/bench/motion_system_bench.hpp"
+#include "tb/support/bench/sprung_tool.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 constexpr double kRadius = 5;  // of tb/data/circles.ngc, mm
-constexpr double kHertz = 50;
-constexpr double kDamping = 0.05;
 constexpr double kSample = static_cast<double>(kSystemPeriod) / CFG_ClockHertz;  // s
-
-/// A mass behind an axis' drive: x'' = w^2 (u - x) - 2 z w x'.
-class Spring {
-  public:
-    void follow(double drive, double time) {
-        speed_ += time * (kPull * (drive - place_) - kDrag * speed_);
-        place_ += time * speed_;
-    }
-    double place() const { return place_; }
-
-  private:
-    static constexpr double kPull = 4 * M_PI * M_PI * kHertz * kHertz;
-    static constexpr double kDrag = 4 * M_PI * kDamping * kHertz;
-    double place_ = 0;
-    double speed_ = 0;
-};
 
 class MotionShaper : public MotionSystem {
   protected:
@@ -44,24 +25,7 @@ class MotionShaper : public MotionSystem {
         host_.each_clock = [this] { watch(); };
     }
 
-    void shape(ref::ShaperKind kind) {
-        ref::Machine machine;
-        machine.shaper = kind;
-        for (int axis = 0; axis < 2; ++axis) machine.modes[axis] = {kHertz, kDamping};
-        const auto taps = ref::shaper_taps(machine, kSample, CFG_Shaper / 2 - 1);
-        for (std::uint32_t axis = 0; axis < kSystemAxes; ++axis) {
-            const auto write = [&](std::uint32_t of, double value) {
-                const auto word = static_cast<std::uint32_t>(std::lround(value));
-                EXPECT_TRUE(
-                    host_.write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, of) |
-                                                      CURVECORE_PUT(SHAPER_AXIS, axis) |
-                                                      (word & CURVECORE_SHAPER_VALUE_MASK)));
-            };
-            write(0, taps[axis].delay);
-            write(1, std::ldexp(taps[axis].near, hls::kGainFrac));
-            write(2, std::ldexp(taps[axis].far, hls::kGainFrac));
-        }
-    }
+    void shape(ref::ShaperKind kind) { tb::shape(host_, kind, kSample, kSystemAxes, CFG_Shaper); }
 
     void watch() {
         double off[2];
@@ -87,7 +51,7 @@ class MotionShaper : public MotionSystem {
         return off;
     }
 
-    Spring tool_[2];
+    SprungTool tool_[2];
     double worst_ = 0;
     double swing_ = 0;  // mm from where the part ends
 };

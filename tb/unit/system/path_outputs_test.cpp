@@ -32,6 +32,7 @@ class PathOutputs : public ::testing::Test {
         dut_->enable_i = 1;
         dut_->flush_i = 0;
         dut_->keep_i = 0;
+        dut_->delay_write_i = 0;
         dut_.reset();
     }
 
@@ -69,10 +70,30 @@ class PathOutputs : public ::testing::Test {
         clock();
         dut_->taken_i = 0;
         for (unsigned n = any(3) == 0 ? any(100) : 0; n > 0; --n) clock();
+        draw();
+        dut_->drawn_i = CFG_Delay == 0 && any(4) == 0;  // and none waits
+    }
+    /// Goes through a period without a sample.
+    void none() {
+        twin_.none();
+        draw();
+    }
+    void draw() {
         dut_->drawn_i = 1;
         clock();
-        dut_->drawn_i = any(4) == 0;  // and none waits
         since_ = 1;
+    }
+    /// Sets the delay, without the drives: what was on is off.
+    void delay(unsigned samples) {
+        dut_->enable_i = 0;
+        clock();
+        dut_->delay_write_i = 1;
+        dut_->delay_i = samples;
+        clock();
+        dut_->delay_write_i = 0;
+        dut_->enable_i = 1;
+        twin_.delay(static_cast<int>(samples));
+        flush(false);
     }
     /// Drops all that waits, at a standstill.
     void flush(bool keep) {
@@ -143,14 +164,15 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
         while (since_ < kPeriod + kChange * changes + 2 * kPeriod * (any(100) == 0)) clock();
         expect_equal();
         if (any(500) == 0) {
-            flush(any(2) == 0);
+            const bool other = CFG_Delay != 0 && any(2) == 0;
+            other ? delay(any(CFG_Delay)) : flush(any(2) == 0);
             kept += twin_.bits() != 0;
             placed = 0;
             expect_equal();
             continue;
         }
         const std::size_t before = twin_.waiting();
-        take();
+        CFG_Delay != 0 && any(4) == 0 ? none() : take();
         changes = static_cast<int>(before - twin_.waiting());
         moved += changes > 0;
         together += changes > 1;
