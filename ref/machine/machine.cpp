@@ -15,11 +15,6 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kJerkTime = 0.05;  // s in which the acceleration is reached if no jerk is given
-constexpr std::array<std::pair<std::string_view, ShaperKind>, 4> kShaperNames{
-    {{"none", ShaperKind::kNone},
-     {"feed-forward", ShaperKind::kFeedForward},
-     {"zv", ShaperKind::kZv},
-     {"ei", ShaperKind::kEi}}};
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
 
@@ -168,15 +163,13 @@ class MachineReader {
     void read_shaper() {
         const std::optional<IniEntry> entry = ini_.find("TRAJ", "SHAPER");
         if (!entry) return;
-        const auto known =
-            std::find_if(kShaperNames.begin(), kShaperNames.end(),
-                         [&](const auto& name) { return name.first == entry->value; });
+        const auto known = std::find(kShaperNames.begin(), kShaperNames.end(), entry->value);
         if (known == kShaperNames.end()) {
             throw InputError(
                 ini_.file(), entry->line,
                 fmt::format("SHAPER = {}: none, feed-forward, zv or ei", entry->value));
         }
-        machine_.shaper = known->second;
+        machine_.shaper = static_cast<ShaperKind>(known - kShaperNames.begin());
     }
 
     void read_travel(int axis, const std::vector<std::string>& sections, double unit) {

@@ -19,6 +19,7 @@ struct Vibration {
 };
 
 enum class ShaperKind { kNone, kFeedForward, kZv, kEi };
+constexpr std::array<std::string_view, 4> kShaperNames{"none", "feed-forward", "zv", "ei"};
 
 struct AxisLimits {
     double velocity = 500;       // mm/s

@@ -10,6 +10,7 @@
 #include "sysc/cli/quantity.hpp"
 #include "sysc/report/limit_text.hpp"
 #include "sysc/report/step_text.hpp"
+#include "sysc/report/tool_text.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -300,6 +301,7 @@ nlohmann::ordered_json Report::json() const {
     if (drawn != nullptr) {
         json["limits"]["samples"] = limits_json(job, drawn->check.rounded_limits);
         json["limits"]["samples"]["rounding_share"] = drawn->check.rounded_limits.rounding();
+        if (drawn->check.tool) json["tool"] = tool_json(job, *drawn->check.tool);
         json["rtl_equals_kernel"] = drawn->check.differing_words;
         json["underruns"] = drawn->status.underrun ? 1 : 0;
         json["fault"] = drawn->status.fault;
@@ -371,6 +373,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
         row("before rounding",
             fmt::format("{:.4f} units; derived bound {:.4f}{}", worst(check.unrounded), job.bound(),
                         unbounded_text(job)));
+        if (check.tool) row("tool", tool_text(job, *check.tool));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
         if (has_clock()) row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
         if (const std::optional<StepStatus>& steps = drawn->status.steps) {

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "sysc/watch/limit_meter.hpp"
+#include "sysc/watch/tool_meter.hpp"
 
 namespace curvecore::sysc {
 
@@ -49,6 +51,7 @@ struct CheckResult {
     double speed_relative = 0;  // speed error of chords of kSpeedChord units or more, by the chord
     LimitLoads drawn;           // of the exact curve at the samples' path lengths
     LimitLoads rounded_limits;  // of the samples, with the rounding allowed for
+    std::optional<ToolResult> tool;  // of a machine with modes
     double speed_of_allowed =
         0;  // speed error / (1e-6 chord + what the bounds allow, at least 0.1)
 

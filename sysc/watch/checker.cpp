@@ -29,6 +29,10 @@ Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
              job.options.samples_per_tick, axes_),
       rounded_(job.machine, job.plan.unit_mm, job.options.sample_period_s,
                job.options.samples_per_tick, axes_, 0.5 + job.bound()) {
+    if (ToolMeter::is_asked(job.machine)) {
+        tool_.emplace(job.machine, job.plan.unit_mm, job.options.sample_period_s,
+                      job.options.samples_per_tick, axes_);
+    }
     pictures.watch(drawn_);
     start();
 }
@@ -36,6 +40,7 @@ Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
 const CheckResult& Checker::result() {
     result_.drawn = drawn_.finish();
     result_.rounded_limits = rounded_.finish();
+    if (tool_) result_.tool = tool_->finish();
     return result_;
 }
 
@@ -120,6 +125,7 @@ void Checker::compare_with_curve(const Sample& drawn) {
 
 void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
     drawn_.take(exact, cursor_.index());
+    if (tool_) tool_->take(exact, cursor_.index());
     ref::AxisPoint rounded{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(axes_); ++i) {
         rounded[i] = static_cast<double>(position[i]);

@@ -3,6 +3,8 @@
 // exact curve at the same path length.
 #pragma once
 
+#include <optional>
+
 #include "ref/plan/curve_follower.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/core/run_time_format.hpp"
@@ -11,6 +13,7 @@
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/samples_writer.hpp"
+#include "sysc/watch/tool_meter.hpp"
 #include "sysc/words/bus_words.hpp"
 #include "sysc/words/path_cursor.hpp"
 #include "sysc/words/path_source.hpp"
@@ -52,6 +55,7 @@ class Checker {
     Pictures& pictures_;
     LimitMeter drawn_;    // the exact curve at the samples' path lengths
     LimitMeter rounded_;  // the samples
+    std::optional<ToolMeter> tool_;
     const ref::Segment* segment_of_kind_ = nullptr;
     KindResult* kind_ = nullptr;  // kind of that segment
     std::size_t next_segment_ = 0;
