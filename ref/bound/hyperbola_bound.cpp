@@ -22,7 +22,7 @@
 namespace curvecore::ref {
 namespace {
 
-using Series = std::array<double, 14>;
+using Terms = std::array<double, 14>;
 
 /// Errors that one step adds to y and, with Anchor = 0, to z + y^2.
 struct StepErrors {
@@ -34,10 +34,10 @@ struct StepErrors {
 double rounded(double size, double error, double u) { return size + error < u ? size : u + error; }
 
 StepErrors step_errors(int order, double u, double y, double c) {
-    Series a{y};  // sizes of y_i
-    Series b{};   // sizes of z_i
-    Series ey{};  // their errors
-    Series ez{};
+    Terms a{y};  // sizes of y_i
+    Terms b{};   // sizes of z_i
+    Terms ey{};  // their errors
+    Terms ez{};
     StepErrors step;
     double z_errors = 0;
     for (int i = 0; i <= order; ++i) {

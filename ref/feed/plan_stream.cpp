@@ -17,9 +17,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
-constexpr std::size_t kFew = 32;     // moves that a window may have, whatever their length
-constexpr double kLongMove = 1;      // mm; above this mean length a window has fewer moves
+constexpr std::size_t kLargest = 8;    // times the size of a window that has no place for a cut
+constexpr std::size_t kFewMoves = 32;  // moves that a window may have, whatever their length
+constexpr double kLongMove = 1;        // mm; above this mean length a window has fewer moves
 constexpr std::size_t kMostPlanned = 16000;  // moves, or segments: a window has no more
 constexpr std::size_t kFewest = 3;           // moves that it may have, whatever their time
 constexpr double kAmple = 1.2;  // horizons of motion that are read, by the pace of the last window
@@ -140,7 +140,8 @@ void PlanStream::read(std::size_t size) {
     double time = horizon_ == kUnlimited ? 0 : open_time();
     const auto is_full = [&] {
         const std::size_t moves = program_.moves.size() + next_.size();
-        return moves > size || (moves > kFew && length > kLongMove * static_cast<double>(size)) ||
+        return moves > size ||
+               (moves > kFewMoves && length > kLongMove * static_cast<double>(size)) ||
                (moves >= begun_moves_ + kFewest && pace_ * time > kAmple * horizon_);
     };
     try {

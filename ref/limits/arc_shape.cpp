@@ -8,12 +8,11 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLeastShare = 0.6;  // share of the speed allowed at any point of a stretch
-constexpr int kPoints = 4;           // points of a stretch besides its end
+constexpr int kPoints = 4;  // points of a stretch besides its end
 
-class Stretcher {
+class ArcStretcher {
   public:
-    Stretcher(const Move& move, const Machine& machine) : move_(move), machine_(machine) {}
+    ArcStretcher(const Move& move, const Machine& machine) : move_(move), machine_(machine) {}
 
     void stretch(double from, double to) {
         const PathShape shape = path_shape(move_, from, to);
@@ -46,7 +45,7 @@ class Stretcher {
 }  // namespace
 
 std::vector<ArcStretch> arc_stretches(const Move& move, const Machine& machine) {
-    Stretcher stretcher(move, machine);
+    ArcStretcher stretcher(move, machine);
     stretcher.stretch(0, 1);
     return std::move(stretcher.stretches);
 }

@@ -16,6 +16,9 @@ constexpr double kJerkShare = 0.95;
 /// Share of velocities: rounding to the grid stays inside.
 constexpr double kVelocityShare = 0.998;
 
+/// Least share of the speed allowed at any of its points that all of a stretch has.
+constexpr double kLeastShare = 0.6;
+
 /// Largest turn of a joint passed in motion, |change of the unit tangent|: about 15 degrees.
 constexpr double kSmallTurn = 0.26;
 

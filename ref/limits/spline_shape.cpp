@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kSharpestRadius = 1e-8;  // mm, radius of a tip that is passed in motion
 constexpr double kShortestLength = 1e-6;  // mm
-constexpr double kLeastShare = 0.6;       // share of the speed allowed at any point of a stretch
 // Values that no machine feels at any speed below 10 m/s.
 constexpr double kNoCurvature = 1e-9;  // 1/mm
 constexpr double kNoSwerve = 1e-12;    // 1/mm^2
@@ -83,9 +82,9 @@ bool stands_still(const Cubic& cubic, double u) {
            v * v * v <= kSharpestRadius * kSharpestRadius * cubic.jerk().norm();
 }
 
-class Stretcher {
+class SplineStretcher {
   public:
-    Stretcher(const Move& move, const ArcLength& arc, const Machine& machine)
+    SplineStretcher(const Move& move, const ArcLength& arc, const Machine& machine)
         : move_(move), arc_(arc), machine_(machine) {}
 
     void stretch(double u0, double u1) {
@@ -193,7 +192,7 @@ std::vector<double> standstills(const Cubic& cubic) {
 
 std::vector<SplineStretch> spline_stretches(const Move& move, const ArcLength& arc,
                                             const Machine& machine, double u0, double u1) {
-    Stretcher stretcher(move, arc, machine);
+    SplineStretcher stretcher(move, arc, machine);
     stretcher.stretch(u0, u1);
     return std::move(stretcher.stretches);
 }

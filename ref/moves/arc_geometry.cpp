@@ -12,7 +12,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSamePoint = 1e-9;       // mm: below any length unit
 constexpr double kSmallestRadius = 1e-6;  // mm
 constexpr double kLargestRadius = 1e8;    // mm: 1e-16 of it is below any length unit
 constexpr double kRelativeMismatch = 1e-3;

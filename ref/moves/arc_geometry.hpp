@@ -16,6 +16,7 @@ class ArcError : public std::runtime_error {
 };
 
 constexpr int kMostTurns = 10000;
+constexpr double kSamePoint = 1e-9;      // mm: below any length unit
 constexpr double kSameDirection = 1e-9;  // mm along the circle: ends this near make a whole turn
 
 /// Largest difference of an arc's radii at both ends: `always` mm, or `most` mm and 0.1 %. Largest

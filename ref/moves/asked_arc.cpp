@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/moves/arc_geometry.hpp"
 #include "ref/moves/move_part.hpp"
 #include "ref/numeric/angles.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // mm
-constexpr int kPlaces = 32;          // points of a turn; the total over many turns
+constexpr int kPlaces = 32;  // points of a turn; the total over many turns
 constexpr double kRoundingShare = 1e-14;
 constexpr double kRootRounding = 8e-15;
 

@@ -36,9 +36,9 @@ Derivatives derivatives(const Cubic& cubic) {
 
 using Biarc = std::array<TangentArc, 2>;
 
-class Fitter {
+class ArcFitter {
   public:
-    Fitter(const Cubic& cubic, double tolerance)
+    ArcFitter(const Cubic& cubic, double tolerance)
         : cubic_(cubic), length_(cubic), tolerance_(tolerance) {}
 
     ArcFit run() {
@@ -119,7 +119,7 @@ class Fitter {
 
 }  // namespace
 
-ArcFit fit_arcs(const Cubic& cubic, double tolerance) { return Fitter(cubic, tolerance).run(); }
+ArcFit fit_arcs(const Cubic& cubic, double tolerance) { return ArcFitter(cubic, tolerance).run(); }
 
 std::vector<double> fit_chords(const Cubic& cubic, double tolerance) {
     std::vector<double> u{0};

@@ -44,9 +44,10 @@ struct Candidate {
     double distance;
 };
 
-class Fitter {
+class CubicFitter {
   public:
-    Fitter(const RationalBezier& curve, double tolerance) : curve_(curve), tolerance_(tolerance) {
+    CubicFitter(const RationalBezier& curve, double tolerance)
+        : curve_(curve), tolerance_(tolerance) {
         for (const Eigen::Vector4d& point : curve.points) {
             const double size = (curve.origin + point.head<3>() / point[3]).norm();
             tolerance_ = std::max({tolerance_, kRounding * size, kRounding * curve.origin.norm()});
@@ -138,7 +139,7 @@ class Fitter {
 }  // namespace
 
 std::vector<Cubic> fit_cubics(const RationalBezier& curve, double tolerance) {
-    return Fitter(curve, tolerance).run();
+    return CubicFitter(curve, tolerance).run();
 }
 
 double distance(const Cubic& cubic, const RationalBezier& curve, double t0, double t1, int points) {

@@ -10,7 +10,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kLeastPart = 0.1;
-constexpr double kInside = 0.9999;
+constexpr double kBinds = 0.9999;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::
     };
     for (double part = 1; part > kLeastPart; part /= 2) {
         set(part);
-        if (load(path, spline, k) < kInside * interval.share) return;
+        if (load(path, spline, k) < kBinds * interval.share) return;
     }
     set(0);
 }

@@ -7,8 +7,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kJump = 0.3;   // share of jerk * JointTime: change of acceleration between phases
-constexpr double kKept = 1.04;  // share of a limit's share, before words are rounded
+constexpr double kJump = 0.3;  // share of jerk * JointTime: change of acceleration between phases
+constexpr double kLoadKept = 1.04;  // share of a limit's share, before words are rounded
 constexpr double kSpeedKept = 1.001;
 constexpr double kRestSpeed = 1e-9;  // mm/s, rounding of a rest
 
@@ -72,8 +72,8 @@ class Merger {
             return false;
         }
         if (least_speed(phase) < -kRestSpeed) return false;
-        const RunLoads loads = path_.loads(phase, first, end, {kKept, kSpeedKept});
-        return loads.load <= kKept && loads.speed <= kSpeedKept;
+        const RunLoads loads = path_.loads(phase, first, end, {kLoadKept, kSpeedKept});
+        return loads.load <= kLoadKept && loads.speed <= kSpeedKept;
     }
 
     const std::vector<Phase>& run_;

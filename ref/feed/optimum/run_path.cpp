@@ -24,8 +24,8 @@ bool differ(const PlaceLimit& a, const PlaceLimit& b) {
 /// Time at which a phase is x mm from its start, near `t`.
 double time_near(const Phase& phase, double t, double x) {
     constexpr double kExact = 1e-9;  // share of the phase
-    constexpr int kRounds = 8;
-    for (int round = 0; round < kRounds; ++round) {
+    constexpr int kNewtonRounds = 8;
+    for (int round = 0; round < kNewtonRounds; ++round) {
         const double v = phase.speed(t);
         if (!(v > 0)) break;
         const double more = (x - ((phase.j / 6 * t + phase.a / 2) * t + phase.v) * t) / v;

@@ -11,17 +11,17 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kKept = 0.995;      // share of a limit above which a place is slowed down
-constexpr double kInside = 0.98;     // share of it that slowing down leads to
-constexpr std::size_t kNearby = 3;   // intervals to both sides that are slowed down first
-constexpr double kStage = 6.2;       // factor by which the weight of the time grows
-constexpr int kMostSteps = 100;      // Newton steps in a stage
-constexpr double kCentred = 0.1;     // half the square of Newton's decrement
-constexpr double kLeastStep = 1e-6;  // share of a Newton step
-constexpr double kLonger = 4;        // next step tried, as a multiple of the last one
-constexpr double kHeld = 1e100;      // force that moves a control point by one, whatever holds it
-constexpr double kLittle = 0.02;     // share of that which is as good as nothing
-constexpr double kGain = 0.1;        // share of what Newton's method promises that a step must gain
+constexpr double kSlowedFrom = 0.995;  // share of a limit above which a place is slowed down
+constexpr double kSlowedTo = 0.98;     // share of it that slowing down leads to
+constexpr std::size_t kNearby = 3;     // intervals to both sides that are slowed down first
+constexpr double kStage = 6.2;         // factor by which the weight of the time grows
+constexpr int kMostSteps = 100;        // Newton steps in a stage
+constexpr double kCentred = 0.1;       // half the square of Newton's decrement
+constexpr double kLeastStep = 1e-6;    // share of a Newton step
+constexpr double kLonger = 4;          // next step tried, as a multiple of the last one
+constexpr double kHeld = 1e100;        // force that moves a control point by one, whatever holds it
+constexpr double kLittle = 0.02;       // share of that which is as good as nothing
+constexpr double kGain = 0.1;  // share of what Newton's method promises that a step must gain
 
 std::vector<double> lengths(const std::vector<PathInterval>& path) {
     std::vector<double> lengths;
@@ -122,9 +122,9 @@ bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
         std::vector<double> factor(count, 1);
         bool kept = true;
         for (std::size_t k = first - 1; k <= last; ++k) {
-            if (slower(path_, spline_, k, kKept) >= 1) continue;
+            if (slower(path_, spline_, k, kSlowedFrom) >= 1) continue;
             kept = false;
-            const double needed = std::min(1.0, slower(path_, spline_, k, kInside));
+            const double needed = std::min(1.0, slower(path_, spline_, k, kSlowedTo));
             for (std::size_t i = std::max(k, first + 1) - 1; i < std::min(k + 2, last); ++i) {
                 factor[i - first] = std::min(factor[i - first], needed);
             }

@@ -8,8 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kParts = 4;         // parts of a stretch, where all loads are smooth
-constexpr double kWithin = 1e-6;  // share of a stretch: at its ends a curve may stand still
+constexpr int kParts = 4;  // parts of a stretch, where all loads are smooth
 
 }  // namespace
 
@@ -22,7 +21,8 @@ void each_place(const PieceStretch& stretch, std::size_t planned, const Plan& pl
                 const PieceGrid& grid, PathPlaces& places,
                 const std::function<void(const PathPlace&, const PieceMotion&)>& visit) {
     for (int i = 0; i <= kParts; ++i) {
-        const double part = std::clamp(static_cast<double>(i) / kParts, kWithin, 1 - kWithin);
+        const double part =
+            std::clamp(static_cast<double>(i) / kParts, kWithinStretch, 1 - kWithinStretch);
         const double t = stretch.from + (stretch.to - stretch.from) * part;
         const double s = place_of(stretch, t) * grid.quantum;
         if (near_standstill(*stretch.move, s, grid.quantum)) continue;

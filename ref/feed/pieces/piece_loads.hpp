@@ -10,6 +10,9 @@
 
 namespace curvecore::ref {
 
+/// Share of a stretch: at its very ends a curve may stand still.
+constexpr double kWithinStretch = 1e-6;
+
 /// Returns true if a curve all but stands still s mm from a move's start. The loads of a motion
 /// from rest vanish, but rounded words leave a speed where the curvature is infinite.
 bool near_standstill(const PlannedMove& move, double s, double quantum);

@@ -13,7 +13,6 @@ namespace {
 constexpr double kCellTime = 0.4e-3;  // s, or longer where
 constexpr double kCellTurn =
     0.03;                          // rad is what a curve turns at most: its derivatives go linearly
-constexpr double kWithin = 1e-6;   // share of a stretch: at its very ends a curve may stand still
 constexpr double kNoLimit = 1e15;  // of acceleration and jerk; its square is a number
 constexpr double kSameShare = 1e-6;  // share of a speed, of a limit
 
@@ -65,7 +64,7 @@ void ProfileCourse::forget_before(double tick) {
 }
 
 PlaceLimits ProfileCourse::limits(const PieceStretch& stretch, double part) {
-    part = std::clamp(part, kWithin, 1 - kWithin);
+    part = std::clamp(part, kWithinStretch, 1 - kWithinStretch);
     const double t = stretch.from + (stretch.to - stretch.from) * part;
     const double s = place_of(stretch, t) * quantum_;
     const PlannedMove& move = *stretch.move;

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kLargestNumber = 1e9;
 
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-
 /// Reports a character that cannot begin a word.
 [[noreturn]] void refuse_character(char c, const Place& place) {
     switch (c) {

@@ -17,8 +17,6 @@ constexpr int kMostFigures = 100;  // no number this short leaves a double's ran
 constexpr int kDeepest = 100;      // nested brackets and signs
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-
 double truth(bool value) { return value ? 1 : 0; }
 
 struct Operator {

@@ -20,6 +20,8 @@
 
 namespace curvecore::ref {
 
+inline bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+
 class ValueReader {
   public:
     /// @param words a line without comments and blanks, in upper case; all outlive this object

@@ -16,8 +16,6 @@ namespace {
 constexpr double kSecondsOfMinute = 60;
 constexpr double kUnitVector = 1e-6;  // largest error of a normal's length
 
-Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], point[7], point[8]}; }
-
 /// Keeps groups of axes (X Y Z, A B C, U V W) that all but stand exactly in place.
 Point without_trembling(Point to, const Point& at) {
     for (int group = 0; group < kMachineAxes; group += 3) {
@@ -50,8 +48,8 @@ Move CanonicalMoves::move_to(const Target& target) const {
     move.rapid = target.rapid;
     move.start = xyz(at_);
     move.end = xyz(to);
-    move.aux_start = aux(at_);
-    move.aux_end = aux(to);
+    move.aux_start = aux_of(at_);
+    move.aux_end = aux_of(to);
     move.exact_stop = exact_stop_;
     move.tolerance = tolerance_;
     return move;

@@ -29,8 +29,6 @@ bool is_look_ahead(Block& block, int code) {
     return true;
 }
 
-Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], point[7], point[8]}; }
-
 }  // namespace
 
 void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
@@ -137,8 +135,8 @@ Move Interpreter::move_to(const Point& target, const Place& place) const {
     move.line = place.program_line;
     move.start = xyz(coordinates_.position());
     move.end = xyz(target);
-    move.aux_start = aux(coordinates_.position());
-    move.aux_end = aux(target);
+    move.aux_start = aux_of(coordinates_.position());
+    move.aux_end = aux_of(target);
     move.exact_stop = modes_.exact_stop;
     move.tolerance = modes_.path_tolerance;
     return move;

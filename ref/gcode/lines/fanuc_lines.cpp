@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view kLengths = "XYZUVWIJKRQ";
 constexpr std::string_view kAngles = "ABC";
-constexpr std::string_view kDigits = "0123456789";
 constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZ+-.0123456789";
 
 bool is_integer(const std::string& number) {

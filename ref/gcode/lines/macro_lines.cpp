@@ -8,7 +8,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::string_view kDigits = "0123456789";
 constexpr std::size_t kMostFigures = 9;
 
 /// Returns true for the keyword with a number behind it, as "DO1" of "DO".

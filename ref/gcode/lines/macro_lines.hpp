@@ -9,8 +9,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace curvecore::ref {
+
+constexpr std::string_view kDigits = "0123456789";
 
 /// Returns where a line's words begin behind '/' and its number.
 std::size_t begin_of_words(const std::string& words);

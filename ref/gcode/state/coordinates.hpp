@@ -21,6 +21,9 @@ constexpr double kStill = 1e-9;    // mm: smaller motion counts as rest
 constexpr double kFarthest = 1e6;  // mm
 
 inline Vec3 xyz(const Point& point) { return {point[0], point[1], point[2]}; }
+inline Aux aux_of(const Point& point) {
+    return {point[3], point[4], point[5], point[6], point[7], point[8]};
+}
 
 class Coordinates {
   public:
