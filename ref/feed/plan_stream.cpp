@@ -388,7 +388,7 @@ void PlanStream::add_branches(const Window& window, std::size_t first, std::size
         ++kept;
     }
     plan.branches.resize(kept);
-    if (kept > 0) plan.branches.back().wait = 1;  // wait for none
+    if (kept > 0) plan.branches.back().wait = kNoWait;
 }
 
 }  // namespace curvecore::ref

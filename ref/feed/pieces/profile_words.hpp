@@ -21,8 +21,8 @@ constexpr std::uint32_t kMaxTicks = 1u << 19;  // longest piece, ticks
 /// Largest planned exponent: its rounding, 2^(e-35) quanta, stays below 2^-11 unit.
 constexpr int kMaxPlannedExponent = 40;
 
-/// Longest piece: `ticks`, or `slow_ticks` if it covers at most `path` quanta. Parts of a motion
-/// are not shorter than `least` ticks for that.
+/// Longest piece: `ticks`, or `slow_ticks` if it covers at most `path` quanta; but parts of a
+/// motion are not shorter than `least` ticks for that.
 struct Reach {
     std::uint64_t ticks = kMaxTicks;
     std::uint64_t slow_ticks = 0;

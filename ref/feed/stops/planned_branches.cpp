@@ -53,15 +53,19 @@ class BranchPlanner {
         return std::move(branches_);
     }
 
-    /// Sets the ticks from each branch in which the next one comes.
-    void set_waits(std::vector<PlannedBranch>& branches) const {
+    /// Sets the ticks from each branch in which the next one, or the end, comes; none if that is
+    /// too far, or if its stop then takes more than `most` ticks of the profile.
+    void set_waits(double most, std::vector<PlannedBranch>& branches) const {
         for (std::size_t i = 0; i < branches.size(); ++i) {
-            const std::uint64_t next = i + 1 < branches.size() ? due_[branches[i + 1].piece] : end_;
-            // A rest must not be passed, to move again. A branch that passes at another rate is
-            // reported up to kStopLead ticks after its place.
-            const std::uint64_t wait =
-                std::min(next - due_[branches[i].piece], distance_.slow_ticks) + kStopLead;
-            branches[i].wait = static_cast<std::uint32_t>(wait);
+            const bool last = i + 1 == branches.size();
+            const std::uint64_t next = last ? end_ : due_[branches[i + 1].piece];
+            const std::uint64_t gap = next - due_[branches[i].piece];
+            // A branch that passes at another rate is reported up to kStopLead ticks after its
+            // place.
+            const std::uint64_t wait = gap + kStopLead;
+            const double stop = last ? 0 : ticks_passed(branches[i + 1].steps);
+            const bool far = gap > distance_.slow_ticks || static_cast<double>(wait) + stop > most;
+            branches[i].wait = far ? kNoWait : static_cast<std::uint32_t>(wait);
         }
     }
 
@@ -178,15 +182,14 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
     plan.branches = planner.finish();
     drop_uncovered(options, plan);
-    planner.set_waits(plan.branches);
+    const double most = plan.stop_ticks;
+    planner.set_waits(most, plan.branches);
     // A machine that stops at once would stop later if it waited for a branch.
-    double most = 0;
-    std::uint32_t wait = kStopLead;
-    for (const PlannedBranch& branch : plan.branches) {
-        most = std::max(most, std::ceil(wait + ticks_passed(branch.steps)));
-        wait = branch.wait;
+    const auto waits = [&](const PlannedBranch& branch) { return branch.wait != kNoWait; };
+    if (std::none_of(plan.branches.begin(), plan.branches.end(), waits) ||
+        kStopLead + ticks_passed(plan.branches.front().steps) > most) {
+        plan.branches.clear();
     }
-    if (most > plan.stop_ticks) plan.branches.clear();
 }
 
 std::size_t profile_words(const Plan& plan) {

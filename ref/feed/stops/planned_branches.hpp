@@ -8,6 +8,9 @@
 
 namespace curvecore::ref {
 
+/// PlannedBranch::wait of a branch behind which none is near: a hold there takes the bounds.
+constexpr std::uint32_t kNoWait = 1;
+
 /// Distance between branches, and so the longest piece of a plan that has them: they stand between
 /// pieces.
 Reach longest_piece(const PieceGrid& grid);
