@@ -54,7 +54,7 @@ inline std::uint64_t pack(const OutputChange& change, unsigned number) {
 /// Ways of the samples, some samples later: the tool is as far behind the path with a shaper.
 class WayDelay {
   public:
-    /// Sets the samples, while nothing moves.
+    /// Sets the samples, fewer than the core keeps, while nothing moves.
     void set(int samples) { samples_ = static_cast<std::size_t>(samples); }
 
     /// Takes the way of a period; returns the one that counts in it.
@@ -64,6 +64,13 @@ class WayDelay {
         return samples_ < ways_.size() ? ways_[samples_] : 0;
     }
     void clear() { ways_.clear(); }
+
+    /// Returns true if no way is to come.
+    bool settled() const {
+        const auto end =
+            ways_.begin() + static_cast<std::ptrdiff_t>(std::min(samples_, ways_.size()));
+        return std::all_of(ways_.begin(), end, [](std::uint32_t way) { return way == 0; });
+    }
 
   private:
     static constexpr std::size_t kMost = 512;
@@ -112,6 +119,7 @@ class PathOutputs {
     }
 
     unsigned bits() const { return bits_; }
+    bool settled() const { return delay_.settled(); }
 
     /// Returns what the pin is on, of 4095.
     std::uint32_t power() const {

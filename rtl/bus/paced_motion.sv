@@ -116,6 +116,11 @@ module paced_motion #(
     else offered_q <= (sample_valid_o && !ready) || placing;
   end
 
+  // Outputs come later than the axes with a shaper.
+  logic standing;
+  logic outputs_settled;
+  assign standing_o = standing && outputs_settled;
+
   // Words enter only if there is room: in their queue, or in the engine's entry.
   logic segment_ready;
   logic profile_ready;
@@ -215,7 +220,7 @@ module paced_motion #(
         .active_o,
         .underrun_o,
         .killed_o(unused_killed),
-        .standing_o,
+        .standing_o(standing),
         .fault_o,
         .empty_segments_o(unused_empty_segments)
     );
@@ -308,7 +313,7 @@ module paced_motion #(
         .active_o,
         .underrun_o,
         .killed_o(unused_killed),
-        .standing_o,
+        .standing_o(standing),
         .fault_o,
         .empty_segments_o(unused_empty_segments)
     );
@@ -347,20 +352,21 @@ module paced_motion #(
     ) u_outputs (
         .clk_i,
         .rst_ni,
-        .flush_i (!rst_n),
-        .keep_i  (keeps_i),
-        .valid_i (profile_valid_i),
+        .flush_i(!rst_n),
+        .keep_i(keeps_i),
+        .valid_i(profile_valid_i),
         .word_i,
-        .next_o  (of_outputs),
-        .ready_o (outputs_ready),
-        .room_o  (outputs_room),
-        .made_i  (path_valid),
-        .path_i  (path_o[39:8]),
-        .taken_i (taken && !by_host_i),
+        .next_o(of_outputs),
+        .ready_o(outputs_ready),
+        .room_o(outputs_room),
+        .made_i(path_valid),
+        .path_i(path_o[39:8]),
+        .taken_i(taken && !by_host_i),
         .drawn_i,
         .enable_i(!off_i),
         .delay_write_i,
         .delay_i,
+        .settled_o(outputs_settled),
         .bits_o,
         .power_o,
         .pwm_o
@@ -370,6 +376,7 @@ module paced_motion #(
     assign of_outputs = 1'b0;
     assign outputs_ready = 1'b0;
     assign outputs_room = '1;
+    assign outputs_settled = 1'b1;
     assign bits_o = '0;
     assign power_o = '0;
     assign pwm_o = 1'b0;

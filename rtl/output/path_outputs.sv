@@ -45,9 +45,10 @@ module path_outputs #(
     input wire logic       delay_write_i,  // while not enabled
     input wire logic [8:0] delay_i,
 
+    output logic        settled_o,  // no way is to come: with Delay later than the axes
     output logic [ 7:0] bits_o,
     output logic [11:0] power_o,
-    output logic        pwm_o     // power_o / 4095 of the time, in periods of 4095 clocks
+    output logic        pwm_o       // power_o / 4095 of the time, in periods of 4095 clocks
 );
 
   initial
@@ -159,12 +160,14 @@ module path_outputs #(
         .moves_i(moves_q[1]),
         .way_i  (way_q),
         .moves_o(moves),
-        .way_o  (way)
+        .way_o  (way),
+        .settled_o
     );
   end else begin : g_no_delay
     logic unused;
     assign moves  = moves_q[1];
     assign way    = way_q;
+    assign settled_o = 1'b1;
     assign unused = &{1'b0, delay_write_i, delay_i};
   end
 

@@ -25,7 +25,8 @@ module way_delay #(
     input  wire logic        moves_i,
     input  wire logic [31:0] way_i,
     output logic             moves_o,
-    output logic      [31:0] way_o
+    output logic      [31:0] way_o,
+    output logic             settled_o  // no way is to come
 );
 
   initial
@@ -33,6 +34,8 @@ module way_delay #(
       $fatal(1, "Places must be a power of two in [64, 512]");
   localparam int Address = $clog2(Places);
 
+  logic unused;
+  assign unused = &{1'b0, delay_i};
   logic [Address-1:0] delay_q;
   logic off_q;
   always_ff @(posedge clk_i) begin
@@ -45,18 +48,25 @@ module way_delay #(
   logic [31:0] read_q;
   logic [Address-1:0] now_q;
   logic [Address-1:0] known_q;  // ways that are kept since the flush
+  logic [Address-1:0] still_q;  // ways of 0 behind the last one
   logic unknown_q;
   logic [3:0] drawn_q;
   assign moves_o = drawn_q[3];
-  assign way_o   = unknown_q ? '0 : read_q;
+  assign way_o = unknown_q ? '0 : read_q;
+  assign settled_o = still_q >= delay_q;
   always_ff @(posedge clk_i) begin
     if (drawn_q[1]) ways[now_q] <= moves_i ? way_i : '0;
     if (drawn_q[2]) read_q <= ways[now_q-delay_q];
     if (!rst_ni || flush_i) begin
       drawn_q <= '0;
       known_q <= '0;
+      still_q <= '1;
     end else begin
       drawn_q <= {drawn_q[2:0], drawn_i};
+      if (drawn_q[1]) begin
+        if (moves_i && way_i != '0) still_q <= '0;
+        else if (still_q != '1) still_q <= still_q + 1'b1;
+      end
       if (drawn_q[2] && known_q != '1) known_q <= known_q + 1'b1;
     end
     if (!rst_ni) begin

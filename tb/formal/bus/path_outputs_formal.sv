@@ -23,7 +23,7 @@ module path_outputs_formal (
     input wire logic        enable_i
 );
 
-  logic is_next, ready, pwm;
+  logic is_next, ready, pwm, settled;
   logic [15:0] room;
   logic [ 7:0] bits;
   logic [11:0] power;
@@ -36,17 +36,20 @@ module path_outputs_formal (
       .keep_i,
       .valid_i,
       .word_i,
-      .next_o (is_next),
+      .next_o(is_next),
       .ready_o(ready),
-      .room_o (room),
+      .room_o(room),
       .made_i,
       .path_i,
       .taken_i,
       .drawn_i,
       .enable_i,
-      .bits_o (bits),
+      .delay_write_i(1'b0),
+      .delay_i('0),
+      .settled_o(settled),
+      .bits_o(bits),
       .power_o(power),
-      .pwm_o  (pwm)
+      .pwm_o(pwm)
   );
 
   logic started_q = 1'b0;

@@ -116,6 +116,8 @@ class PathOutputs : public ::testing::Test {
         dut_.settle();
         ASSERT_EQ(dut_->bits_o, twin_.bits());
         ASSERT_EQ(dut_->power_o, twin_.power());
+        ASSERT_EQ(dut_->settled_o != 0, twin_.settled());
+        settled_ += twin_.settled();
     }
     int clocks_on() {
         int on = 0;
@@ -132,6 +134,7 @@ class PathOutputs : public ::testing::Test {
     unsigned number_ = 0;
     std::uint64_t path_ = 0;
     std::deque<std::uint64_t> made_;
+    int settled_ = 0;  // samples in which no way is to come
     int since_ = kPeriod;
 };
 
@@ -184,6 +187,10 @@ TEST_F(PathOutputs, EqualTheirTwinInEverySample) {
     EXPECT_GT(partly, kSamples / 10U);
     EXPECT_GT(together, 100U);
     EXPECT_GT(kept, 100U);
+    EXPECT_GT(settled_, 1000);
+    if (CFG_Delay != 0) {
+        EXPECT_LT(settled_, kSamples / 2);
+    }
 }
 
 TEST_F(PathOutputs, AreOnForTheirShareOfATurn) {
