@@ -25,6 +25,7 @@ class MachineReader {
     Machine read() {
         machine_.name = std::filesystem::path(ini_.file()).filename().string();
         read_units();
+        read_shaper();
         const std::string axes = read_axes();
         if (!ini_.has_section("TRAJ") && !any_axis_) {
             throw InputError(ini_.file(), 0,
@@ -151,6 +152,11 @@ class MachineReader {
         Vibration& mode = machine_.modes[axis];
         for (const std::string& section : sections) {
             mode.hertz = limit(section, "SHAPER_FREQUENCY", 1).value_or(mode.hertz);
+            mode.advance_s = limit(section, "PRESSURE_ADVANCE", 1).value_or(mode.advance_s);
+            if (mode.advance_s > 0 && machine_.shaper != ShaperKind::kFeedForward) {
+                throw InputError(ini_.file(), ini_.find(section, "PRESSURE_ADVANCE")->line,
+                                 "PRESSURE_ADVANCE needs SHAPER = feed-forward in [TRAJ]");
+            }
             const std::optional<double> damping = ini_.number(section, "SHAPER_DAMPING");
             mode.damping = damping.value_or(mode.damping);
             if (mode.damping >= 0 && mode.damping < 1) continue;
@@ -239,7 +245,6 @@ class MachineReader {
                              any_jerk_ ? "from the axes" : "from the acceleration"));
         }
         machine_.joint_time = limit("TRAJ", "JOINT_TIME", 1).value_or(machine_.joint_time);
-        read_shaper();
     }
 
     const IniFile& ini_;

@@ -16,6 +16,7 @@ namespace curvecore::ref {
 struct Vibration {
     double hertz = 0;       // 0: none
     double damping = 0.05;  // ratio
+    double advance_s = 0;   // time by which an extruder leads, for the pressure in its nozzle
 };
 
 enum class ShaperKind { kNone, kFeedForward, kZv, kEi };
@@ -64,7 +65,8 @@ struct Machine {
 /// | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT           |
 /// | [AXIS_0] ..), [JOINT_0] ..     | MAX_LIMIT; where an axis and its joints differ the tighter |
 /// |                                | one holds. Curvecore's own: SHAPER_FREQUENCY (Hz),         |
-/// |                                | SHAPER_DAMPING (ratio, 0.05 without it), of its first mode |
+/// |                                | SHAPER_DAMPING (ratio, 0.05 without it), of its first      |
+/// |                                | mode; PRESSURE_ADVANCE (s), with SHAPER = feed-forward     |
 ///
 /// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
 /// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path

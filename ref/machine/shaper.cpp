@@ -31,9 +31,18 @@ ShaperTaps impulses(const Vibration& mode, ShaperKind kind, double sample_s) {
 }
 
 ShaperTaps feed_forward(const Vibration& mode, int delay, double sample_s) {
-    const double wt = 2 * M_PI * mode.hertz * delay * sample_s;
-    return {delay, (mode.damping + 1 / wt) / wt, (mode.damping - 1 / wt) / wt};
+    const double tau = delay * sample_s;
+    double a = mode.advance_s / (2 * tau);
+    double b = 0;
+    if (mode.hertz > 0) {
+        const double wt = 2 * M_PI * mode.hertz * tau;
+        a += mode.damping / wt;
+        b = 1 / (wt * wt);
+    }
+    return {delay, b + a, a - b};
 }
+
+bool leads(const Vibration& mode) { return mode.hertz > 0 || mode.advance_s > 0; }
 
 }  // namespace
 
@@ -42,7 +51,7 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
     std::array<ShaperTaps, kMachineAxes> all;
     int together = 0;  // samples, of feed-forward
     for (const Vibration& mode : machine.modes) {
-        if (machine.shaper != ShaperKind::kFeedForward || mode.hertz == 0) continue;
+        if (machine.shaper != ShaperKind::kFeedForward || !leads(mode)) continue;
         int delay = 1;
         while (delay <= most && feed_forward(mode, delay, sample_s).near > kMostGain) ++delay;
         together = std::max(together, delay);
@@ -51,7 +60,7 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
         const Vibration& mode = machine.modes[n];
         ShaperTaps& taps = all[n];
         taps.delay = together;
-        if (mode.hertz == 0 || machine.shaper == ShaperKind::kNone) continue;
+        if (!leads(mode) || machine.shaper == ShaperKind::kNone) continue;
         taps = machine.shaper == ShaperKind::kFeedForward
                    ? feed_forward(mode, together, sample_s)
                    : impulses(mode, machine.shaper, sample_s);

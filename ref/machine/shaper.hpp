@@ -13,7 +13,8 @@
 //   | EI           | A (1 + V) / 4      | -A e^2 (1 + V) / 4 | half a period         |
 //
 // Feed-forward is the mode's own equation, p + 2 z / w p' + p'' / w^2, of the place tau before, by
-// differences over +- tau: a = z / (w tau), b = 1 / (w tau)^2. ZV and EI (Singer and Seering;
+// differences over +- tau: a = z / (w tau), b = 1 / (w tau)^2. An extruder that leads by the time K
+// (pressure advance, p + K p') has K / (2 tau) more in a. ZV and EI (Singer and Seering;
 // Singhose) are sums of two and three impulses, where e = exp(-z pi / sqrt(1 - z^2)) and V = 5 % of
 // the vibration is left at the mode; A makes their sum 1.
 #pragma once

@@ -76,6 +76,25 @@ TEST(Shaper, FeedForwardIsTheInverseOfTheMode) {
     }
 }
 
+TEST(Shaper, AnExtruderLeadsByItsTime) {
+    for (const double advance : {0.01, 0.2}) {
+        Machine machine;
+        machine.shaper = ShaperKind::kFeedForward;
+        machine.modes[0].hertz = 50;
+        machine.modes[3].advance_s = advance;
+        const auto taps = ref::shaper_taps(machine, kSample, 255);
+        EXPECT_EQ(taps[3].delay, taps[0].delay);
+        EXPECT_LE(taps[3].near, 6);
+        for (double hertz = 1; hertz <= 10; ++hertz) {
+            const Complex s(0, 2 * M_PI * hertz);
+            const double short_by = std::pow(std::abs(s) * taps[3].delay * kSample, 2) / 6;
+            const Complex lead = advance * s;
+            EXPECT_LE(std::abs(response(taps[3], s) - 1.0 - lead),
+                      1.01 * short_by * std::abs(lead));
+        }
+    }
+}
+
 TEST(Shaper, ToolsAreLateByTheDelayOfTapsAndMode) {
     const Complex s(0, 1e-3);  // so slow that the phase is the delay
     for (const ShaperKind kind : {ShaperKind::kFeedForward, ShaperKind::kZv, ShaperKind::kEi}) {
@@ -133,6 +152,9 @@ TEST(Shaper, IsAskedForInTheMachinesFile) {
     EXPECT_EQ(machine.modes[0].damping, 0.1);
     EXPECT_EQ(machine.modes[1].hertz, 0);
     EXPECT_EQ(refusal("zvd", ""), "m.ini:2: error: SHAPER = zvd: none, feed-forward, zv or ei");
+    EXPECT_EQ(machine_of("feed-forward", "PRESSURE_ADVANCE = 0.05").modes[0].advance_s, 0.05);
+    EXPECT_EQ(refusal("zv", "PRESSURE_ADVANCE = 0.05"),
+              "m.ini:4: error: PRESSURE_ADVANCE needs SHAPER = feed-forward in [TRAJ]");
     EXPECT_EQ(refusal("ei", "SHAPER_DAMPING = 1"),
               "m.ini:4: error: SHAPER_DAMPING = 1: a ratio from 0 to below 1");
     EXPECT_EQ(refusal("zv", "SHAPER_FREQUENCY = 50"),
