@@ -7,8 +7,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr int kAround = 4;  // samples of the path to both sides of where the tool should be
-
 ref::Vec3 vec(const ToolMeter::Point& point) { return {point[0], point[1], point[2]}; }
 
 /// Distance of a point from the way between two others.
@@ -19,10 +17,12 @@ double distance(const ref::Vec3& point, const ref::Vec3& from, const ref::Vec3& 
     return (from + part * way - point).norm();
 }
 
-int longest(const std::array<ref::ShaperTaps, ref::kMachineAxes>& taps) {
-    int most = 0;
+/// Samples of the path that count: those of the taps, and until the tool is there.
+std::size_t kept(const std::array<ref::ShaperTaps, ref::kMachineAxes>& taps, int late) {
+    int most = late;
     for (const ref::ShaperTaps& axis : taps) most = std::max(most, 2 * axis.delay);
-    return most;
+    constexpr int kMore = 5;  // of the path ahead of where the tool should be
+    return static_cast<std::size_t>(most + kMore);
 }
 
 }  // namespace
@@ -63,12 +63,9 @@ ToolMeter::ToolMeter(const ref::Machine& machine, double unit_mm, double period_
       period_s_(period_s),
       axes_(static_cast<std::size_t>(axes)),
       taps_(ref::shaper_taps(machine, period_s, kMostDelay)),
-      without_{{}, ref::tool_delay(machine, {}, period_s)},
-      shaped_{{}, ref::tool_delay(machine, taps_, period_s)},
-      drives_(machine, unit_mm, period_s, samples_per_tick, axes) {
-    const int most = std::max({longest(taps_), without_.delay, shaped_.delay});
-    kept_ = static_cast<std::size_t>(most + kAround + 1);
-}
+      kept_(kept(taps_, std::max(ref::tool_delay(machine, {}, period_s),
+                                 ref::tool_delay(machine, taps_, period_s)))),
+      drives_(machine, unit_mm, period_s, samples_per_tick, axes) {}
 
 void ToolMeter::take(const Point& point, std::size_t segment) {
     if (points_.empty()) {
@@ -83,22 +80,25 @@ void ToolMeter::take(const Point& point, std::size_t segment) {
     }
     step(point);
     drives_.take(shaped(), segment);
+    segment_ = segment;
 }
 
 ToolResult ToolMeter::finish() {
     if (points_.empty()) return {};
     const Point last = points_.front();
+    without_.rests = true;
     for (std::size_t n = 0; n < kept_; ++n) {
         step(last);
-        drives_.take(shaped(), 0);
+        drives_.take(shaped(), segment_);
     }
-    rests_ = true;
+    shaped_.rests = true;
     double least = 0;  // Hz
     for (const ref::Vibration& mode : machine_.modes) {
         if (mode.hertz > 0 && (least == 0 || mode.hertz < least)) least = mode.hertz;
     }
     for (double time = 0; time < 1 / least; time += period_s_) step(last);
-    return {shaped_.delay * period_s_, without_.path, shaped_.path, drives_.finish()};
+    return {ref::tool_delay(machine_, taps_, period_s_) * period_s_, without_.path, shaped_.path,
+            drives_.finish()};
 }
 
 void ToolMeter::step(const Point& point) {
@@ -127,18 +127,16 @@ void ToolMeter::follow(Tool& tool, const Point& drives) {
         const double place = tool.masses[axis].follow(drives[axis]);
         if (axis < 3) tool.place[static_cast<int>(axis)] = place;
     }
-    double& worst = rests_ ? tool.path.rest : tool.path.off;
-    worst = std::max(worst,
-                     unit_mm_ * (rests_ ? (tool.place - vec(points_.front())).norm() : off(tool)));
+    double& worst = tool.rests ? tool.path.rest : tool.path.off;
+    const double away = tool.rests ? (tool.place - vec(points_.front())).norm() : off(tool);
+    worst = std::max(worst, unit_mm_ * away);
 }
 
-/// Distance from the path near where the tool should be, units.
+/// Distance from the path of the last samples, units.
 double ToolMeter::off(const Tool& tool) const {
-    const int first = std::max(0, tool.delay - kAround);
-    double least = (tool.place - vec(points_[static_cast<std::size_t>(first)])).norm();
-    for (int n = first; n < tool.delay + kAround; ++n) {
-        const auto at = static_cast<std::size_t>(n);
-        least = std::min(least, distance(tool.place, vec(points_[at]), vec(points_[at + 1])));
+    double least = (tool.place - vec(points_.front())).norm();
+    for (std::size_t n = 1; n < kept_; ++n) {
+        least = std::min(least, distance(tool.place, vec(points_[n - 1]), vec(points_[n])));
     }
     return least;
 }

@@ -30,7 +30,7 @@ class SwingingMass {
 
 /// Distances in mm, of X Y Z.
 struct ToolPath {
-    double off = 0;   // of the path, at most, wherever on it the tool should be
+    double off = 0;   // of the path up to there, at most
     double rest = 0;  // of the program's end, once the drives rest there
 };
 
@@ -44,8 +44,8 @@ class ToolMeter {
   public:
     using Point = LimitMeter::Point;
 
-    /// Samples of delay that shapers have, at most: those of the virtual board.
-    static constexpr int kMostDelay = 127;
+    /// Samples of delay, at most: more than any board keeps.
+    static constexpr int kMostDelay = 1 << 16;
 
     static bool is_asked(const ref::Machine& machine);
 
@@ -62,8 +62,8 @@ class ToolMeter {
   private:
     struct Tool {
         std::vector<SwingingMass> masses;
-        int delay;  // samples
-        ToolPath path{};
+        bool rests = false;  // its drives do
+        ToolPath path;
         ref::Vec3 place = ref::Vec3::Zero();  // units
     };
 
@@ -79,7 +79,7 @@ class ToolMeter {
     std::array<ref::ShaperTaps, ref::kMachineAxes> taps_;
     std::deque<Point> points_;  // the newest first
     std::size_t kept_;
-    bool rests_ = false;
+    std::size_t segment_ = 0;
     Tool without_, shaped_;
     LimitMeter drives_;
 };
