@@ -103,17 +103,17 @@ run_tests() {
 }
 
 tidy() {
-  build all
+  build label_lint
   CURVECORE_TIDY=all run_tests -R "^lint\\..*\\.tidy$"
 }
 
 units() {
   build label_unit
-  CURVECORE_LONG=1 run_tests -L "^unit$"
+  CURVECORE_LONG=1 run_tests -L "^unit$" -LE "^long$"
 }
 
 long() {
-  build label_long
+  build all label_long
   CURVECORE_LONG=1 run_tests -L "^long$" -E LongOverride
 }
 
