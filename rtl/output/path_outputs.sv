@@ -42,7 +42,7 @@ module path_outputs #(
     input wire logic        drawn_i,  // it is drawn from here
     input wire logic        enable_i,
 
-    input wire logic       delay_write_i,  // while not enabled
+    input wire logic       delay_write_i,  // it comes while not enabled
     input wire logic [8:0] delay_i,
 
     output logic        settled_o,  // no way is to come: with Delay later than the axes

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured limits as text: report.json, report.html and the checks.
+// Measured limits, and how far a tool that swings is off the path, as text: report.json,
+// report.html, the table and the checks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 
 #include "sysc/job/job.hpp"
 #include "sysc/watch/limit_meter.hpp"
+#include "sysc/watch/tool_meter.hpp"
 
 namespace curvecore::sysc {
 
@@ -18,5 +20,11 @@ std::string limits_text(const Job& job, const LimitLoads& limits);
 
 /// Rows [window in ms, path or axis, velocity, acceleration, jerk] of resolved windows.
 nlohmann::ordered_json limits_rows(const Job& job, const LimitLoads& limits);
+
+/// The tool's distances, and what the shaped steps ask of the drives.
+nlohmann::ordered_json tool_json(const Job& job, const ToolResult& tool);
+
+/// The same in one line.
+std::string tool_text(const Job& job, const ToolResult& tool);
 
 }  // namespace curvecore::sysc

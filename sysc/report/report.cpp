@@ -10,7 +10,6 @@
 #include "sysc/cli/quantity.hpp"
 #include "sysc/report/limit_text.hpp"
 #include "sysc/report/step_text.hpp"
-#include "sysc/report/tool_text.hpp"
 
 namespace curvecore::sysc {
 namespace {

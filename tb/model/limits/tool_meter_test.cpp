@@ -86,6 +86,21 @@ TEST(ToolMeter, FeedForwardHasTheToolOnThePath) {
     EXPECT_DOUBLE_EQ(result.delay_s, taps[0].delay * kPeriod);
 }
 
+/// An axis without a mode is on the path, however late the others are with impulses.
+TEST(ToolMeter, ARigidAxisIsOnThePathBesideOneThatIsLate) {
+    ToolMeter meter(machine(ref::ShaperKind::kZv, 0.05), kUnit, kPeriod, 1, 3);
+    ToolMeter::Point point{};
+    for (int n = 0; n < 5000; ++n) {
+        point[2] = n * 100e3 * kPeriod / kUnit * 1e-3;
+        meter.take(point, 0);
+    }
+    const ToolResult result = meter.finish();
+    EXPECT_LT(result.without.off, 1e-9);
+    EXPECT_LT(result.shaped.off, 1e-9);
+    EXPECT_LT(result.shaped.rest, 1e-9);
+    EXPECT_GT(result.delay_s, 40 * kPeriod);
+}
+
 /// Steps to a place at once: ZV leaves nothing of the swing, EI a twentieth, at most.
 TEST(ToolMeter, ImpulsesLeaveTheToolAtRest) {
     const std::pair<ref::ShaperKind, double> most[] = {{ref::ShaperKind::kZv, 1e-3},
@@ -102,7 +117,7 @@ TEST(ToolMeter, ImpulsesLeaveTheToolAtRest) {
     }
 }
 
-/// What the drives are asked is the path's motion by the gain of feed-forward, the mode's inverse.
+/// The drives are asked for the path's motion by the gain of feed-forward, the mode's inverse.
 TEST(ToolMeter, DrivesAreAskedForTheModesInverse) {
     const double hertz = 8;
     const double damping = 0.3;

@@ -9,7 +9,7 @@
 
 #include "hls/path_outputs.hpp"
 #include "tb/support/bench/motion_system_bench.hpp"
-#include "tb/support/bench/sprung_tool.hpp"
+#include "tb/support/pins/sprung_tool.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "tb/support/bench/motion_system_bench.hpp"
-#include "tb/support/bench/sprung_tool.hpp"
+#include "tb/support/pins/sprung_tool.hpp"
 
 namespace curvecore::tb {
 namespace {
