@@ -19,10 +19,12 @@ double distance(const ref::Vec3& point, const ref::Vec3& from, const ref::Vec3& 
 
 /// Samples of the path that count: those of the taps, and until the tool is there.
 std::size_t kept(const std::array<ref::ShaperTaps, ref::kMachineAxes>& taps, int late) {
-    int most = late;
-    for (const ref::ShaperTaps& axis : taps) most = std::max(most, 2 * axis.delay);
-    constexpr int kMore = 5;  // of the path ahead of where the tool should be
-    return static_cast<std::size_t>(most + kMore);
+    auto most = static_cast<std::size_t>(late);
+    for (const ref::ShaperTaps& axis : taps) {
+        most = std::max(most, 2 * static_cast<std::size_t>(axis.delay));
+    }
+    constexpr std::size_t kMore = 5;  // of the path ahead of where the tool should be
+    return most + kMore;
 }
 
 }  // namespace
