@@ -63,6 +63,7 @@ void row(std::size_t moves, const char* name, Effort effort) {
     PlanOptions options;
     options.effort = effort;
     options.format.splines = 1;
+    options.segment_queue_words = kBoardSegmentWords;
     newton_work() = 0;
     const double from = seconds();
     PlanStream stream(source, {"surface", 0, kFeed}, machine, options);
