@@ -36,6 +36,7 @@ using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
 constexpr int kMostConnections = 16;
+constexpr std::size_t kMostLog = 200;         // lines
 constexpr std::size_t kLongestMessage = 256;  // bytes, from a page
 constexpr std::size_t kLongestHeader = 8192;
 constexpr auto kPatience = std::chrono::seconds(10);
@@ -334,6 +335,12 @@ std::string PageServer::address() const {
 }
 
 bool PageServer::watched() const { return state_->viewers > 0; }
+
+void PageServer::note(const std::string& line) {
+    if (log_.size() == kMostLog) log_.pop_front();
+    log_.push_back(line);
+    show("log", nlohmann::json(log_).dump());
+}
 
 void PageServer::show(const std::string& name, const std::string& json) {
     asio::post(state_->context, [this, name, message = fmt::format(R"({{"{}":{}}})", name, json)] {

@@ -14,6 +14,8 @@
 // page's messages have 256 bytes; wishes wait in a WishQueue.
 #pragma once
 
+#include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -24,6 +26,8 @@ namespace curvecore::sysc {
 
 class PageServer {
   public:
+    static constexpr std::chrono::milliseconds kPeriod{200};  // from one state shown to the next
+
     /// Serves from another thread.
     /// @param at PORT or ADDRESS:PORT; 127.0.0.1 when left out, port 0: any free one
     /// @param points returns the JSON of points from a number on; called by that thread
@@ -40,10 +44,13 @@ class PageServer {
     bool watched() const;
     /// Shows JSON under a name to all pages, and to those that come later.
     void show(const std::string& name, const std::string& json);
+    /// Adds a line to the log that the pages show, of which the last 200 are kept.
+    void note(const std::string& line);
 
   private:
     class Connection;
     struct State;
+    std::deque<std::string> log_;
     std::unique_ptr<State> state_;
 };
 

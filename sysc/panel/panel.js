@@ -3,7 +3,7 @@
 const byId = (id) => document.getElementById(id);
 const OUTPUTS = ["spindle", "ccw", "mist", "flood", "P0", "P1", "P2", "P3"];
 const ENDS = new Set(["drawn", "stopped", "fault", "lost"]);
-let points = [], thinned = 0;  // [x, y, z, s, line], mm
+let points = [], thinned = 0;  // [x, y, z, s, line], mm; of a board, which knows no mm, steps
 let status = null, control = false, open = false, fetching = false;
 let turn = [0, 0], zoom = 1;   // of the view: about z and about the screen's x axis
 
@@ -18,7 +18,11 @@ function add(parent, tag, text, name) {
 // What is shown ------------------------------------------------------------------------------------
 const minutes = (s) => Math.floor(Math.ceil(s) / 60) + ":" + String(Math.ceil(s) % 60).padStart(2, "0");
 
+// Of the path, drawn and known: of a board the way of its axes.
+const drawn = () => status.way_steps ?? status.path_mm, known = () => status.way_steps ?? status.planned_mm;
+
 function figures() {
+  if (status.figures) return Object.entries(status.figures);
   const so_far = status.all_planned ? "" : " so far", least = status.all_planned ? "" : "at least ";
   return [
     ["feed", status.feed_mm_min.toFixed(0) + " mm/min"],
@@ -45,7 +49,7 @@ function showStatus() {
   for (const axis of status.axes) {
     const tr = add(byId("dro"), "tr"), error = axis.following_mm;
     add(tr, "td", axis.name);
-    const place = add(tr, "td", axis.place_mm.toFixed(3));
+    const place = add(tr, "td", axis.place_mm === undefined ? axis.steps : axis.place_mm.toFixed(3));
     if (error !== undefined) add(place, "small", " " + error.toFixed(4) + " off");
   }
   rows(byId("figures"), figures(), ["dt", "dd"]);
@@ -55,7 +59,7 @@ function showStatus() {
     add(byId("outputs"), "li", "power " + (100 * status.outputs.power).toFixed(0) + " %", status.outputs.power > 0 ? "on" : "");
   }
   byId("queues").replaceChildren();
-  for (const queue of status.queues) {
+  for (const queue of status.queues || []) {
     add(byId("queues"), "div", queue.name + ": " + queue.waiting + " of " + queue.words);
     const meter = add(byId("queues"), "meter");
     meter.max = queue.words; meter.value = queue.waiting;
@@ -71,7 +75,7 @@ function showStatus() {
 
 async function fetchPoints() {
   const last = points.length ? points[points.length - 1][3] : -1;
-  if (fetching || !open || (points.length && last >= status.planned_mm - 1e-6)) return;
+  if (fetching || !open || (points.length && Math.abs(last - known()) < 1e-6)) return;
   fetching = true;
   try {
     const more = await (await fetch("/points?from=" + points.length)).json();
@@ -117,7 +121,7 @@ function draw() {
   for (const [x, y] of flat) { left = Math.min(left, x); right = Math.max(right, x); low = Math.min(low, y); top = Math.max(top, y); }
   const scale = zoom * Math.min((wide - 40) / Math.max(right - left, 1e-6), (high - 40) / Math.max(top - low, 1e-6));
   const on = ([x, y]) => [wide / 2 + scale * (x - (left + right) / 2), high / 2 - scale * (y - (low + top) / 2)];
-  const style = getComputedStyle(document.documentElement), now = at(status.path_mm), tool = on(turned(now.point));
+  const style = getComputedStyle(document.documentElement), now = at(drawn()), tool = on(turned(now.point));
   const line = (from, to, colour, first) => {
     pen.beginPath();
     if (first) pen.moveTo(...first);
@@ -132,7 +136,8 @@ function draw() {
   line(0, now.before, "--done");
   pen.beginPath(); pen.arc(...tool, 6, 0, 2 * Math.PI);
   pen.fillStyle = style.getPropertyValue("--tool"); pen.fill();
-  byId("place").textContent = status.path_mm.toFixed(3) + " mm along the path, line " + status.line;
+  byId("place").textContent = status.way_steps !== undefined ? "the way of its axes since the drives were turned on" :
+    status.path_mm.toFixed(3) + " mm along the path, line " + status.line;
 }
 
 // What is asked for --------------------------------------------------------------------------------
@@ -152,8 +157,9 @@ function connect() {
     const said = JSON.parse(event.data);
     if (said.hello) {
       byId("title").textContent = said.hello.program;
-      document.title = said.hello.program + " - curvecore stream";
-      byId("by").textContent = "curvecore " + said.hello.version + " stream";
+      document.title = said.hello.program + " - curvecore " + said.hello.command;
+      byId("by").textContent = "curvecore " + said.hello.version + " " + said.hello.command;
+      for (const e of document.querySelectorAll(".stream, .board")) e.hidden = !e.classList.contains(said.hello.command);
     }
     if (said.control !== undefined) control = said.control;
     if (said.log) { byId("log").textContent = said.log.join("\n"); byId("log").scrollTop = 1e9; }

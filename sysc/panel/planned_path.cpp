@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/panel/planned_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "ref/feed/pieces/piece_walk.hpp"
 #include "ref/plan/segment_curve.hpp"
@@ -13,7 +10,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::size_t kMostPoints = 20'000;
 /// Points on a curved segment.
 constexpr double kPointEvery = 0.5;  // mm
 constexpr double kLeastPoints = 4;
@@ -42,25 +38,16 @@ void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
     const double wanted = std::ceil(length * unit_mm / kPointEvery);
     const double parts = straight ? 1 : std::clamp(wanted, kLeastPoints, kMostOnCurve);
     const double begin_mm = static_cast<double>(begin) * ref::kQuantum * unit_mm;
-    const auto show = [&](double part) {
-        const double s = length * part;
-        points_.push_back(
-            {ref::exact_position(segment, s) * unit_mm, begin_mm + s * unit_mm, segment.line});
+    const auto show = [&](double part, bool kept) {
+        const auto point = [&] {
+            const double s = length * part;
+            return ShownPoint{ref::exact_position(segment, s) * unit_mm, begin_mm + s * unit_mm,
+                              segment.line};
+        };
+        points_.add(point, kept);
     };
-    if (points_.empty()) show(0);
-    for (double n = 1; n <= parts; ++n) {
-        if (++made_ % every_ == 0 || (segment.last && n == parts)) show(n / parts);
-    }
-    if (points_.size() > kMostPoints) thin();
-}
-
-/// Keeps every second point.
-void PlannedPath::thin() {
-    std::size_t kept = 0;
-    for (std::size_t n = 0; n < points_.size(); n += 2) points_[kept++] = points_[n];
-    points_.resize(kept);
-    every_ *= 2;
-    ++thinned_;
+    if (points_.empty()) show(0, true);
+    for (double n = 1; n <= parts; ++n) show(n / parts, segment.last && n == parts);
 }
 
 void PlannedPath::forget(std::uint64_t path) {
@@ -108,15 +95,7 @@ double PlannedPath::length_mm() const {
 
 std::string PlannedPath::json(std::size_t from) const {
     const std::lock_guard lock(mutex_);
-    std::string text = fmt::format(R"({{"thinned":{},"points":[)", thinned_);
-    const char* comma = "";
-    for (std::size_t n = from; n < points_.size(); ++n) {
-        const Point& point = points_[n];
-        fmt::format_to(std::back_inserter(text), "{}[{:.7g},{:.7g},{:.7g},{:.8g},{}]", comma,
-                       point.place[0], point.place[1], point.place[2], point.path, point.line);
-        comma = ",";
-    }
-    return text + "]}";
+    return points_.json(from);
 }
 
 }  // namespace curvecore::sysc

@@ -7,9 +7,9 @@
 #include <deque>
 #include <mutex>
 #include <string>
-#include <vector>
 
 #include "ref/plan/segment.hpp"
+#include "sysc/panel/shown_points.hpp"
 
 namespace curvecore::sysc {
 
@@ -36,16 +36,10 @@ class PlannedPath {
     double time_s() const;
     double length_mm() const;
 
-    /// Returns the points from a number on as JSON, in mm:
-    /// {"thinned":..,"points":[[x,y,z,s,line],..]}. Thinned out, they are numbered anew.
+    /// Returns the points from a number on, mm, as ShownPoints::json does.
     std::string json(std::size_t from) const;
 
   private:
-    struct Point {
-        ref::Vec3 place;  // mm
-        double path;      // mm
-        int line;
-    };
     struct Stretch {  // of a segment
         std::uint64_t end;
         int line;
@@ -58,7 +52,6 @@ class PlannedPath {
 
     void add(const ref::Segment& segment, double unit_mm);
     void forget(std::uint64_t path);
-    void thin();
 
     mutable std::mutex mutex_;
     std::deque<Stretch> stretches_;  // those before the place that was passed are gone
@@ -69,10 +62,7 @@ class PlannedPath {
     double time_s_ = 0;
     double tick_s_ = 0;
     double quantum_mm_ = 0;
-    std::vector<Point> points_;
-    std::size_t every_ = 1;  // of the points made one is kept
-    std::size_t made_ = 0;
-    int thinned_ = 0;
+    ShownPoints points_;
 };
 
 }  // namespace curvecore::sysc

@@ -167,9 +167,7 @@ void BoardServer::work() {
     state_->receive(milliseconds(clocks == kClocksAtOnce ? 0 : 1));
 }
 
-std::uint64_t BoardServer::clocks() const { return state_->board.clocks(); }
-
-const VirtualTimes& BoardServer::times() const { return state_->board.times(); }
+const VirtualBoard& BoardServer::board() const { return state_->board; }
 
 double BoardServer::pace() const {
     const auto passed = static_cast<double>(clocks());

@@ -34,8 +34,9 @@ class BoardServer {
     /// Works for a while: frames, clocks, answers.
     void work();
 
-    std::uint64_t clocks() const;
-    const VirtualTimes& times() const;
+    const VirtualBoard& board() const;
+    std::uint64_t clocks() const { return board().clocks(); }
+    const VirtualTimes& times() const { return board().times(); }
     /// Ratio of the clocks made to the clocks of real time.
     double pace() const;
 

@@ -70,6 +70,8 @@ class VirtualBoard {
     std::optional<Bytes> clock();
     std::uint64_t clocks() const { return model_->clocks; }
     bool drives_on() const { return model_->out.enable; }
+    /// Returns where the axes are, in steps from the start.
+    const std::array<std::int64_t, kAxes>& places() const { return places_; }
     const VirtualTimes& times() const { return times_; }
 
   private:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The page of `stream --web` in a real browser, while a virtual board draws: what it shows is what
-the board says, its buttons are obeyed, and who has no token, or comes from elsewhere, is not.
+"""The pages of `stream --web` and `board --web` in a real browser, while a virtual board draws: they
+show what the board says, buttons are obeyed, and who has no token, or comes from elsewhere, is not.
 
     panel_test.py --program build/curvecore [--pictures FOLDER]
 """
@@ -53,9 +53,10 @@ class Panel(unittest.TestCase):
         self.elsewhere.write_text("<title>elsewhere</title>", encoding="ascii")
         part = self.folder / "part.ngc"
         part.write_text(PART, encoding="ascii")
-        self.board = self.start("board", "--build", "parallel", "--listen",
-                                "127.0.0.1:0", "-o", self.folder / "board")
+        self.board = self.start("board", "--build", "parallel", "--listen", "127.0.0.1:0",
+                                "--web", "0", "-o", self.folder / "board")
         port = re.search(r":(\d+):", self.board.stdout.readline())[1]
+        self.board_page = self.board.stdout.readline().split()[1]
         self.host = self.start("stream", part, "--to", f"udp:127.0.0.1:{port}", "--web", "0", "-q")
         self.page = self.host.stdout.readline().split()[1]
         self.browser.send("Emulation.setDeviceMetricsOverride", width=1280, height=900,
@@ -134,6 +135,33 @@ class Panel(unittest.TestCase):
         x = sum(int(row.split(",")[2]) for row in rows if row.split(",")[1] == "0") / STEPS_PER_MM
         shown = self.shown()["axes"][0]["place_mm"]
         self.assertAlmostEqual(x, shown, delta=0.5 / STEPS_PER_MM)
+
+    def test_a_board_shows_where_its_axes_are(self):
+        self.runs()
+        self.visit(self.board_page)
+        self.until('status && status.state === "runs" && points.length > 20')
+        self.assertNotIn("#", self.board_page, "nobody asks a board for anything")
+        self.assertFalse(self.browser.get(
+            '[...document.querySelectorAll("button, #rate")].some((e) => e.offsetParent)'))
+        self.assertEqual(self.browser.get('byId("dro").textContent.match(/[A-Z]/g).join("")'),
+                         "XYZ")
+        # Points of the way follow it, and none is off it.
+        way = self.until(f"status.way_steps > {3 * STEPS_PER_MM} && status.way_steps")
+        self.until(f"points[points.length - 1][3] >= {way}")
+        x, y, z, path, _ = self.browser.get("points[points.length - 1]")
+        self.assertAlmostEqual(abs(x), path, delta=0.02 * path)
+        self.assertEqual((y, z), (0, 0))
+        self.picture("board")
+        self.host.send_signal(signal.SIGINT)
+        self.until('status.state === "drives off"')
+        self.assertIn("drives off", self.until('byId("log").textContent'))
+        seen = [axis["steps"] for axis in self.shown()["axes"]]
+        self.board.send_signal(signal.SIGINT)
+        self.board.wait()
+        rows = (self.folder / "board" / "steps.csv").read_text(encoding="ascii").split()[1:]
+        counted = [sum(int(row.split(",")[2]) for row in rows if row.split(",")[1] == str(axis))
+                   for axis in range(3)]
+        self.assertEqual(seen, counted)
 
     def test_turns_the_drives_off(self):
         self.runs()

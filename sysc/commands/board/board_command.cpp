@@ -8,6 +8,7 @@
 
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
+#include "sysc/commands/board/board_panel.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct BoardOptions {
     BoardServerOptions served{kWireAddress, false, {}, Build::kEngine};
     std::string folder;  // empty: no files
+    std::string web;     // empty: no page
 };
 
 VirtualRange range_of(const std::string& option, const std::string& text) {
@@ -46,7 +48,12 @@ int board_command(BoardOptions& options) {
         steps->write("clock,axis,direction\n");
         outputs.emplace(*folder, "outputs.csv");
         outputs->write("clock,output,level\n");
-        options.served.axes.edge = [&outputs](const VirtualEdge& edge) {
+    }
+    std::optional<BoardPanel> panel;
+    if (folder || !options.web.empty()) {
+        options.served.axes.edge = [&](const VirtualEdge& edge) {
+            if (panel) panel->see(edge);
+            if (!outputs) return;
             const bool pwm = edge.output == VirtualBoard::kOutputs - 1;
             outputs->write(fmt::format("{},{},{}\n", edge.clock,
                                        pwm ? "pwm" : std::to_string(edge.output), edge.on ? 1 : 0));
@@ -64,10 +71,12 @@ int board_command(BoardOptions& options) {
                std::exp2(times.period_log2) / times.clock_hz * 1e6,
                options.served.fast ? ", 5 ms of it a frame" : "");
     std::fflush(stdout);
+    if (!options.web.empty()) panel.emplace(options.web, server);
     const InterruptGuard guard;
     try {
         for (;;) {
             server.work();
+            if (panel) panel->turn();
             InterruptGuard::check();
         }
     } catch (const Interrupted&) {
@@ -105,6 +114,8 @@ void add_board(CLI::App& app, int& status) {
     add_text(command, "-o,--output", options.folder, "DIR",
              "folder for steps.csv and outputs.csv: every step and edge of its pins, written when "
              "it ends");
+    add_text(command, "--web", options.web, "[ADDRESS:]PORT",
+             "a page that shows it in a browser, on 127.0.0.1; port 0: any free one");
     add_values(command, "--home", served.axes.switches, "AXIS=FROM..TO,..",
                "a home switch: steps from the start in which it is closed, as x=-9000..-300",
                range_of)

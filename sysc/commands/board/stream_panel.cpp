@@ -15,12 +15,6 @@
 #include "ref/format/path_words.hpp"
 
 namespace curvecore::sysc {
-namespace {
-
-constexpr auto kPeriod = std::chrono::milliseconds(200);
-constexpr std::size_t kMostLog = 200;  // lines
-
-}  // namespace
 
 StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
                          const std::string& web)
@@ -33,7 +27,8 @@ StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
         web, [this](std::size_t from) { return path().json(from); }, wishes_);
     const nlohmann::json hello{
         {"program", std::filesystem::path(parts.options.file).filename().string()},
-        {"version", CURVECORE_PROGRAM_VERSION}};
+        {"version", CURVECORE_PROGRAM_VERSION},
+        {"command", "stream"}};
     page_->show("hello", hello.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     fmt::print("page: {}\n", page_->address());
     std::fflush(stdout);
@@ -52,7 +47,8 @@ void StreamPanel::turn(const WireStream& stream) {
     tell_wait(stream);
     tell_begin(stream);
     const WireClock::time_point now = WireClock::now();
-    if (now < shown_ + kPeriod || !(terminal_.on() || (page_ && page_->watched()))) return;
+    if (now < shown_ + PageServer::kPeriod || !(terminal_.on() || (page_ && page_->watched())))
+        return;
     shown_ = now;
     show(status(stream));
 }
@@ -164,10 +160,8 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
 /// Notes what has changed.
 void StreamPanel::log(const PanelStatus& status) {
     const auto note = [this](const std::string& text) {
-        if (log_.size() == kMostLog) log_.erase(log_.begin());
-        log_.push_back(fmt::format("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text));
+        page_->note(fmt::format("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text));
     };
-    const std::size_t before = log_.size();
     if (status.state != last_.state) {
         note(fmt::format("{}, {:.3f} mm, line {}", status.state, status.path_mm, status.line));
     }
@@ -175,8 +169,6 @@ void StreamPanel::log(const PanelStatus& status) {
         note(fmt::format("override {} %", status.override_percent));
     }
     if (status.faults != last_.faults && !status.faults.empty()) note(status.faults);
-    if (log_.size() != before || before == kMostLog)
-        page_->show("log", nlohmann::json(log_).dump());
 }
 
 void StreamPanel::show(PanelStatus status) {

@@ -62,7 +62,6 @@ class StreamPanel {
     std::uint64_t told_begin_ = 0;  // WireStream::begin()
     std::string wait_;              // for a person, as it was said; empty: none
     PanelStatus last_;
-    std::vector<std::string> log_;
     std::optional<PageServer> page_;  // last member: its thread uses the others
 };
 
