@@ -65,11 +65,13 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
                    ? feed_forward(mode, together, sample_s)
                    : impulses(mode, machine.shaper, sample_s);
         if (taps.delay < 1 || taps.delay > most) {
-            throw InputError(
-                machine.name, 0,
-                fmt::format("{}: SHAPER_FREQUENCY = {:g} asks for a delay of {} "
-                            "samples of {:g} ms, 1 to {} are possible",
-                            kAxisLetters[n], mode.hertz, taps.delay, 1e3 * sample_s, most));
+            const std::string asks = mode.hertz > 0
+                                         ? fmt::format("SHAPER_FREQUENCY = {:g}", mode.hertz)
+                                         : fmt::format("PRESSURE_ADVANCE = {:g}", mode.advance_s);
+            throw InputError(machine.name, 0,
+                             fmt::format("{}: {} asks for a delay of {} samples of {:g} ms, 1 to "
+                                         "{} are possible",
+                                         kAxisLetters[n], asks, taps.delay, 1e3 * sample_s, most));
         }
     }
     return all;

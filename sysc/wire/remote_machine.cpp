@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hls/input_shaper.hpp"
 #include "hls/registers/registers.h"
 #include "hls/words.hpp"
 #include "ref/curve/axes.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/cli/usage_error.hpp"
+#include "sysc/wire/shaper_words.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -165,20 +165,13 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
 void RemoteMachine::shape(const Drives& drives) {
     shaper_samples_ = 0;
     if (build_.shaper_places == 0) return;
-    const auto set = [this](int kind, int axis, double value) {
-        const auto word = static_cast<std::uint32_t>(std::lround(value));
-        write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, kind) |
-                                    CURVECORE_PUT(SHAPER_AXIS, axis) |
-                                    (word & CURVECORE_SHAPER_VALUE_MASK));
-    };
+    for (const std::uint32_t word : shaper_words(drives.shaper, build_.axes, drives.tool_delay)) {
+        write(CURVECORE_SHAPER, word);
+    }
     for (int axis = 0; axis < build_.axes; ++axis) {
         const ref::ShaperTaps& taps = drives.shaper[static_cast<std::size_t>(axis)];
-        set(0, axis, taps.delay);
-        set(1, axis, std::ldexp(taps.near, hls::kGainFrac));
-        set(2, axis, std::ldexp(taps.far, hls::kGainFrac));
         shaper_samples_ = std::max(shaper_samples_, 2 * taps.delay);
     }
-    set(3, 0, drives.tool_delay);
 }
 
 /// Sets a scale; counts of steps give an axis' place as long as its scale is unchanged.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The pages of `stream --web` and `board --web` in a real browser, while a virtual board draws: they
-show what the board says, buttons are obeyed, and who has no token, or comes from elsewhere, is not.
+"""The pages of `stream --web` and `board --web` in a real browser, while a virtual board draws:
+they show what it says, buttons are obeyed, and who has no token, or comes from elsewhere, is not.
 
     panel_test.py --program build/curvecore [--pictures FOLDER]
 """

@@ -78,7 +78,7 @@ class RestTest(unittest.TestCase):
         self.assertGreaterEqual(float(begin), 10)
         self.assertIn("which has to be of the same options, the --from of a rest included",
                       self.end(self.stream(board.port, "--rest"), 2))
-        self.end(self.stream(board.port, "--rest", "--from", f"{begin}mm", "--override", "50"), 0)
+        self.end(self.stream(board.port, "--rest", "--from", f"{begin}mm", "--override", "80"), 0)
         left = report_of(self.folder / "stream")["drawn"]["path_quanta"] / 65536e6
         self.assertLess(left, LENGTH - float(begin) - 25)
         self.check_path(board.end())

@@ -160,6 +160,9 @@ TEST(Shaper, IsAskedForInTheMachinesFile) {
     EXPECT_EQ(refusal("zv", "SHAPER_FREQUENCY = 50"),
               "m.ini: error: X: SHAPER_FREQUENCY = 50 asks for a delay of 100 samples of 0.1 ms, 1 "
               "to 31 are possible");
+    EXPECT_EQ(refusal("feed-forward", "PRESSURE_ADVANCE = 0.05"),
+              "m.ini: error: X: PRESSURE_ADVANCE = 0.05 asks for a delay of 32 samples of 0.1 ms, "
+              "1 to 31 are possible");
 }
 
 }  // namespace

@@ -6,9 +6,7 @@
 
 #include <cmath>
 
-#include "hls/input_shaper.hpp"
-#include "hls/registers/registers.h"
-#include "ref/machine/shaper.hpp"
+#include "sysc/wire/shaper_words.hpp"
 
 namespace curvecore::tb {
 
@@ -39,19 +37,10 @@ void shape(Host& host, ref::ShaperKind kind, double sample_s, int axes, int plac
     machine.shaper = kind;
     for (int axis = 0; axis < 2; ++axis) machine.modes[axis] = {kSprungHertz, kSprungDamping};
     const auto taps = ref::shaper_taps(machine, sample_s, places / 2 - 1);
-    const auto write = [&](int of, int axis, double value) {
-        const auto word = static_cast<std::uint32_t>(std::lround(value));
-        EXPECT_TRUE(host.write(CURVECORE_SHAPER, CURVECORE_PUT(SHAPER_KIND, of) |
-                                                     CURVECORE_PUT(SHAPER_AXIS, axis) |
-                                                     (word & CURVECORE_SHAPER_VALUE_MASK)));
-    };
-    for (int axis = 0; axis < axes; ++axis) {
-        const ref::ShaperTaps& own = taps[static_cast<std::size_t>(axis)];
-        write(0, axis, own.delay);
-        write(1, axis, std::ldexp(own.near, hls::kGainFrac));
-        write(2, axis, std::ldexp(own.far, hls::kGainFrac));
+    const int late = ref::tool_delay(machine, taps, sample_s);
+    for (const std::uint32_t word : sysc::shaper_words(taps, axes, late)) {
+        EXPECT_TRUE(host.write(CURVECORE_SHAPER, word));
     }
-    write(3, 0, ref::tool_delay(machine, taps, sample_s));
 }
 
 }  // namespace curvecore::tb
