@@ -61,11 +61,18 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
         fill();
         const auto every = static_cast<unsigned>(50 << round % 4) *
                            static_cast<unsigned>(hls::tick_clocks(timed_core(core_)));
+        unsigned clocks_to_hold = 0;
         run([&] {
             if (random_() % every == 0) dut_->hold_i = random_() % 2;
             if (random_() % (8 * every) == 0) {
                 dut_->override_i = random_() % 3 == 0 ? random_() % 65537 : 65536;
             }
+            // A rate that is at rest again at once, and a hold while the branch before is due.
+            if (random_() % (2 * every) == 0) {
+                dut_->override_i = 65536 - random_() % 256;
+                clocks_to_hold = 1 + random_() % every;
+            }
+            if (clocks_to_hold > 0 && --clocks_to_hold == 0) dut_->hold_i = 1;
         });
         if (HasFatalFailure()) FAIL() << "round " << round;
         dut_->hold_i = 0;
