@@ -102,10 +102,10 @@ void WireStream::see_waits() {
 
 /// Limits the rate of time to the rate of words.
 void WireStream::keep_to_link() {
-    const double carried = kOfLink * machine_.words_per_s();
-    const auto busiest = static_cast<double>(planned_.busiest);
-    if (carried == 0 || busiest * link_rate_ <= carried) return;
-    link_rate_ = carried / busiest;
+    const double rate = rate_that_link_carries(kOfLink * machine_.words_per_s(),
+                                               static_cast<double>(planned_.busiest), link_rate_);
+    if (rate == link_rate_) return;
+    link_rate_ = rate;
     set_rate(wished_rate_);
 }
 

@@ -2,6 +2,7 @@
 // The stream of a program to a board, with a person's wishes on the way.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -13,6 +14,13 @@ namespace curvecore::sysc {
 
 /// End of a stream; kCaught: the switch that the board waited for has changed.
 enum class StreamEnd { kDone, kStopped, kFault, kCaught };
+
+/// Returns the rate of time, at most `rate`, at which a link of so many words a second (0: any
+/// number) carries a program with so many in its busiest second. It is its own rate: a rate that
+/// was set is not set again.
+inline double rate_that_link_carries(double words_per_s, double busiest, double rate) {
+    return words_per_s > 0 && busiest > 0 ? std::min(rate, words_per_s / busiest) : rate;
+}
 
 class WireStream {
   public:

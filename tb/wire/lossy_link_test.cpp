@@ -116,6 +116,23 @@ TEST(SlowBoard, IsNotDrownedInQuestions) {
     EXPECT_LT(time_of(40), 2 * awake);
 }
 
+/// A rate that is set with every turn leaves a slow board no frame for words: a program of 635 words
+/// a second over 345.6 of a line never began.
+TEST(SlowLine, HasItsRateSetOnce) {
+    int by_product = 0;  // rates that the product of rate and words finds too fast again
+    for (int busiest = 1; busiest < 5000; ++busiest) {
+        for (const double carried : {345.6, 0.9 * 3840 / 7, 1000.0}) {
+            const double rate = rate_that_link_carries(carried, busiest, 1);
+            EXPECT_NEAR(rate, std::min(1.0, carried / busiest), 1e-12);
+            EXPECT_EQ(rate_that_link_carries(carried, busiest, rate), rate) << busiest;
+            if (busiest * rate > carried) ++by_product;
+        }
+    }
+    EXPECT_GT(by_product, 100);
+    EXPECT_EQ(rate_that_link_carries(0, 635, 0.5), 0.5);
+    EXPECT_EQ(rate_that_link_carries(345.6, 0, 0.5), 0.5);
+}
+
 class LongLossyLinks : public LossyLinks {};
 
 TEST_F(LongLossyLinks, TenBadOnesChangeNoClock) { expect_the_same_clocks(1, 10); }
