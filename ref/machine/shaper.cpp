@@ -42,6 +42,15 @@ ShaperTaps feed_forward(const Vibration& mode, int delay, double sample_s) {
     return {delay, b + a, a - b};
 }
 
+/// Settings of an axis that leads, as in the machine's file.
+std::string settings_of(const Vibration& mode) {
+    std::string text;
+    if (mode.hertz > 0) text = fmt::format("SHAPER_FREQUENCY = {:g}", mode.hertz);
+    if (mode.advance_s == 0) return text;
+    return fmt::format("{}{}PRESSURE_ADVANCE = {:g}", text, text.empty() ? "" : ", ",
+                       mode.advance_s);
+}
+
 bool leads(const Vibration& mode) { return mode.hertz > 0 || mode.advance_s > 0; }
 
 }  // namespace
@@ -49,11 +58,21 @@ bool leads(const Vibration& mode) { return mode.hertz > 0 || mode.advance_s > 0;
 std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double sample_s,
                                                  int most) {
     std::array<ShaperTaps, kMachineAxes> all;
+    const auto check = [&](std::size_t n, int delay) {
+        if (delay >= 1 && delay <= most) return;
+        throw InputError(machine.name, 0,
+                         fmt::format("{}: {} asks for a delay of {} samples of {:g} ms, 1 to {} "
+                                     "are possible",
+                                     kAxisLetters[n], settings_of(machine.modes[n]), delay,
+                                     1e3 * sample_s, most));
+    };
     int together = 0;  // samples, of feed-forward
-    for (const Vibration& mode : machine.modes) {
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const Vibration& mode = machine.modes[n];
         if (machine.shaper != ShaperKind::kFeedForward || !leads(mode)) continue;
         int delay = 1;
         while (delay <= most && feed_forward(mode, delay, sample_s).near > kMostGain) ++delay;
+        check(n, delay);
         together = std::max(together, delay);
     }
     for (std::size_t n = 0; n < all.size(); ++n) {
@@ -64,15 +83,7 @@ std::array<ShaperTaps, kMachineAxes> shaper_taps(const Machine& machine, double 
         taps = machine.shaper == ShaperKind::kFeedForward
                    ? feed_forward(mode, together, sample_s)
                    : impulses(mode, machine.shaper, sample_s);
-        if (taps.delay < 1 || taps.delay > most) {
-            const std::string asks = mode.hertz > 0
-                                         ? fmt::format("SHAPER_FREQUENCY = {:g}", mode.hertz)
-                                         : fmt::format("PRESSURE_ADVANCE = {:g}", mode.advance_s);
-            throw InputError(machine.name, 0,
-                             fmt::format("{}: {} asks for a delay of {} samples of {:g} ms, 1 to "
-                                         "{} are possible",
-                                         kAxisLetters[n], asks, taps.delay, 1e3 * sample_s, most));
-        }
+        check(n, taps.delay);
     }
     return all;
 }

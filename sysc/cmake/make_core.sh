@@ -26,7 +26,7 @@ search=$(find "$tree/rtl" -type d -printf '-y %p ')
 packages=$(find "$tree/rtl" -name '*_pkg.sv' | sort)
 CFLAGS="-fPIC"
 export CFLAGS
-# Waveforms stop above the multipliers; boards have none, and are a third faster without.
+# Waveforms stop above the multipliers; boards have none, and are made in half of the time.
 [ "$top" = motion_board ] || set -- "$@" --trace-fst --trace-depth 6
 "$tree/sysc/cmake/verilate.sh" "$dir" Vcore --top-module "$top" --prefix Vcore $parameters "$@" \
   $search $packages "$tree/rtl/$top.sv"

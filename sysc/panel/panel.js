@@ -3,6 +3,7 @@
 const byId = (id) => document.getElementById(id);
 const OUTPUTS = ["spindle", "ccw", "mist", "flood", "P0", "P1", "P2", "P3"];
 const ENDS = new Set(["drawn", "stopped", "fault", "lost"]);
+let asked = null;  // the path for which points came last
 let points = [], thinned = 0;  // [x, y, z, s, line], mm; of a board, which knows no mm, steps
 let status = null, control = false, open = false, fetching = false;
 let turn = [0, 0], zoom = 1;   // of the view: about z and about the screen's x axis
@@ -74,8 +75,8 @@ function showStatus() {
 }
 
 async function fetchPoints() {
-  const last = points.length ? points[points.length - 1][3] : -1;
-  if (fetching || !open || (points.length && Math.abs(last - known()) < 1e-6)) return;
+  const goal = known();
+  if (fetching || !open || (points.length && asked === goal)) return;
   fetching = true;
   try {
     const more = await (await fetch("/points?from=" + points.length)).json();
@@ -85,6 +86,7 @@ async function fetchPoints() {
     } else {
       points = points.concat(more.points);
     }
+    asked = goal;
     draw();
   } catch (gone) { /* The web socket says so. */ }
   fetching = false;
@@ -121,19 +123,21 @@ function draw() {
   for (const [x, y] of flat) { left = Math.min(left, x); right = Math.max(right, x); low = Math.min(low, y); top = Math.max(top, y); }
   const scale = zoom * Math.min((wide - 40) / Math.max(right - left, 1e-6), (high - 40) / Math.max(top - low, 1e-6));
   const on = ([x, y]) => [wide / 2 + scale * (x - (left + right) / 2), high / 2 - scale * (y - (low + top) / 2)];
-  const style = getComputedStyle(document.documentElement), now = at(drawn()), tool = on(turned(now.point));
+  const style = getComputedStyle(document.documentElement), now = at(drawn());
+  const board = status.way_steps !== undefined;  // all of its way is drawn, and its axes are the tool
+  const tool = on(turned(board ? status.axes.map((axis) => axis.steps) : now.point));
   const line = (from, to, colour, first) => {
     pen.beginPath();
     if (first) pen.moveTo(...first);
     for (let n = from; n <= to; ++n) pen.lineTo(...on(flat[n]));
-    if (to < flat.length - 1) pen.lineTo(...tool);
+    if (to < flat.length - 1 || board) pen.lineTo(...tool);
     pen.strokeStyle = style.getPropertyValue(colour);
     pen.stroke();
   };
   pen.lineWidth = 1.5; pen.lineJoin = "round";
-  line(now.before + 1, flat.length - 1, "--todo", tool);
+  if (!board) line(now.before + 1, flat.length - 1, "--todo", tool);
   pen.lineWidth = 2;
-  line(0, now.before, "--done");
+  line(0, board ? flat.length - 1 : now.before, "--done");
   pen.beginPath(); pen.arc(...tool, 6, 0, 2 * Math.PI);
   pen.fillStyle = style.getPropertyValue("--tool"); pen.fill();
   byId("place").textContent = status.way_steps !== undefined ? "the way of its axes since the drives were turned on" :
@@ -156,6 +160,7 @@ function connect() {
   socket.onmessage = (event) => {
     const said = JSON.parse(event.data);
     if (said.hello) {
+      points = [];
       byId("title").textContent = said.hello.program;
       document.title = said.hello.program + " - curvecore " + said.hello.command;
       byId("by").textContent = "curvecore " + said.hello.version + " " + said.hello.command;

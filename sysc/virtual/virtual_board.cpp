@@ -25,7 +25,6 @@ std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
     CachedModel model{"board", "motion_board", "sysc/virtual/compiled_board.cpp", {}, {}, 4096,
                       1024};
     model.core.build = build;
-    if (build == Build::kParallel) model.core.sample_interval = 8;  // fewest multipliers
     model.core.splines = 1;
     model.core.mode = 1;
     model.rate_bits = hls::kStepFraction + times.period_log2;

@@ -116,8 +116,8 @@ TEST(SlowBoard, IsNotDrownedInQuestions) {
     EXPECT_LT(time_of(40), 2 * awake);
 }
 
-/// A rate that is set with every turn leaves a slow board no frame for words: a program of 635 words
-/// a second over 345.6 of a line never began.
+/// A rate that is set with every turn leaves a slow board no frame for words: a program of 635
+/// words a second over 345.6 of a line never began.
 TEST(SlowLine, HasItsRateSetOnce) {
     int by_product = 0;  // rates that the product of rate and words finds too fast again
     for (int busiest = 1; busiest < 5000; ++busiest) {

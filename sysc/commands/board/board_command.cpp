@@ -71,7 +71,7 @@ int board_command(BoardOptions& options) {
                std::exp2(times.period_log2) / times.clock_hz * 1e6,
                options.served.fast ? ", 5 ms of it a frame" : "");
     std::fflush(stdout);
-    if (!options.web.empty()) panel.emplace(options.web, server);
+    if (!options.web.empty()) panel.emplace(options.web, server, options.served.fast);
     const InterruptGuard guard;
     try {
         for (;;) {
@@ -81,6 +81,7 @@ int board_command(BoardOptions& options) {
         }
     } catch (const Interrupted&) {
     }
+    panel.reset();  // it uses the server
     if (folder) {
         steps->close();
         outputs->close();

@@ -16,9 +16,9 @@ namespace curvecore::sysc {
 class BoardPanel {
   public:
     /// Opens the page, and prints its address.
-    /// @param web as PageServer takes it
+    /// @param web as PageServer takes it; fast: the board's time is not that of the wall
     /// @throws UsageError
-    BoardPanel(const std::string& web, const BoardServer& server);
+    BoardPanel(const std::string& web, const BoardServer& server, bool fast);
 
     void see(const VirtualEdge& edge);
     /// Notes the places, and shows them when it is time to.
@@ -34,6 +34,7 @@ class BoardPanel {
     std::string status();
 
     const BoardServer& server_;
+    const bool fast_;
     WishQueue none_;            // nobody is told the token
     mutable std::mutex mutex_;  // of points_
     ShownPoints points_;
@@ -45,6 +46,7 @@ class BoardPanel {
     std::uint64_t risen_ = 0;    // clock from which on PWM is on, or counted
     std::uint64_t on_ = 0;       // clocks in which it was, since it was shown
     std::uint64_t counted_ = 0;  // clock from which on they count
+    double power_ = 0;
     bool drives_on_ = false;
     WireClock::time_point shown_;
     PageServer page_;  // last member: its thread uses the others

@@ -163,6 +163,9 @@ TEST(Shaper, IsAskedForInTheMachinesFile) {
     EXPECT_EQ(refusal("feed-forward", "PRESSURE_ADVANCE = 0.05"),
               "m.ini: error: X: PRESSURE_ADVANCE = 0.05 asks for a delay of 32 samples of 0.1 ms, "
               "1 to 31 are possible");
+    EXPECT_EQ(refusal("feed-forward", "SHAPER_FREQUENCY = 500\n[JOINT_1]\nPRESSURE_ADVANCE = 0.05"),
+              "m.ini: error: Y: PRESSURE_ADVANCE = 0.05 asks for a delay of 32 samples of 0.1 ms, "
+              "1 to 31 are possible");
 }
 
 }  // namespace
