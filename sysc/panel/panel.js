@@ -140,7 +140,7 @@ function draw() {
   line(0, board ? flat.length - 1 : now.before, "--done");
   pen.beginPath(); pen.arc(...tool, 6, 0, 2 * Math.PI);
   pen.fillStyle = style.getPropertyValue("--tool"); pen.fill();
-  byId("place").textContent = status.way_steps !== undefined ? "the way of its axes since the drives were turned on" :
+  byId("place").textContent = board ? "the way of its axes since the drives were turned on" :
     status.path_mm.toFixed(3) + " mm along the path, line " + status.line;
 }
 
