@@ -14,7 +14,7 @@ from wire_parts import (QUANTA_PER_MM, STATE, STEPS_PER_MM, WishTest, counts, dr
 FEED = 20  # mm/s
 LENGTH = 110  # mm
 # A move at the machine's greatest speed, whose bounds of holds are slow ones, and a whole turn.
-RADIUS, DEPTH = 10, 40
+RADIUS, DEPTH = 30, 40
 HELD_PART = f"G21 G90\nM3 S500\nG0 Z{DEPTH}\nG3 X0 Y0 I0 J{RADIUS} F{60 * FEED}\nM2\n"
 HELD = 1 << 17 | 1 << 19  # of STATE: holding, standing
 # A dwell of 3 s at 20 mm.
