@@ -53,6 +53,10 @@ class FrameStream {
     /// later answer; see all_taken().
     void send(int segment_words = 0, int profile_words = 0);
     bool all_taken() const { return state_.count == 0; }
+    /// Returns true if frames with words are under way.
+    bool words_under_way() {
+        return curvecore_under_way(&state_, 0) + curvecore_under_way(&state_, 1) > 0;
+    }
     /// Sets the period in which work() sends at least one numbered frame, for the board's watchdog.
     void live_each(WireClock::duration period);
     WireClock::duration live_period() const;

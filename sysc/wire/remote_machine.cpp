@@ -236,8 +236,8 @@ RemoteMachine::WordCounts RemoteMachine::push(std::deque<std::uint64_t>& segment
     const std::size_t profile_words = fits(most.pieces, telemetry().profile_room);
     const std::size_t longest = frames_.words_of_frame();
     const std::size_t count = std::min(segment_words + profile_words, longest);
-    // Short frames wait for those before: fewer are under way, and fewer are repeated.
-    if (count == 0 || (count < longest && !frames_.all_taken())) return {};
+    // Short frames wait for words before: fewer are under way, and fewer are repeated.
+    if (count == 0 || (count < longest && frames_.words_under_way())) return {};
     // Half of each, where there are enough.
     const std::size_t rest = count - std::min(count, profile_words);
     const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));

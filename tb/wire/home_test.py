@@ -27,11 +27,13 @@ REACH = 5  # mm
 
 
 def machine(**changes):
-    text = "[TRAJ]\nCOORDINATES = X Y Z\nMAX_LINEAR_VELOCITY = 50\n"
+    """Returns a machine's file; programs are shaped, homing is not."""
+    text = "[TRAJ]\nCOORDINATES = X Y Z\nMAX_LINEAR_VELOCITY = 50\nSHAPER = zv\n"
     for axis in range(3):
         values = {"MAX_VELOCITY": 50, "MAX_ACCELERATION": 1000, "MIN_LIMIT": LIMITS[axis][0],
                   "MAX_LIMIT": LIMITS[axis][1], "HOME_SEARCH_VEL": SEARCH[axis],
-                  "HOME_LATCH_VEL": LATCH[axis], "HOME_OFFSET": OFFSET[axis], "HOME": HOME[axis]}
+                  "HOME_LATCH_VEL": LATCH[axis], "HOME_OFFSET": OFFSET[axis], "HOME": HOME[axis],
+                  "SHAPER_FREQUENCY": 50}
         values.update(changes)
         text += f"[JOINT_{axis}]\n" + "".join(f"{n} = {v}\n" for n, v in values.items())
     return text
