@@ -97,6 +97,10 @@ struct CurveTable {
         const auto found = sections.find(of);
         return found == sections.end() ? kNone : found->second;
     }
+    /// Returns whether samples are drawn by lines of `sample`; else by the series of the output.
+    bool samples_by_lines(bool polynomial) const {
+        return polynomial && !section("sample").empty();
+    }
 };
 
 }  // namespace curvecore::ref

@@ -40,7 +40,7 @@ std::map<std::string, int> order_demand(const CurveTable& table, int order, bool
     for (const TableLine& line : table.section("next")) {
         carried(line);
     }
-    if (polynomial) {
+    if (table.samples_by_lines(polynomial)) {
         for (const TableLine& line : table.section("sample")) {
             carried(line);
         }

@@ -42,6 +42,7 @@ class Reader {
         if (table_.output.empty() || table_.rows.count(table_.output) == 0) {
             place.refuse("no line `output NAME` of a row that a line makes");
         }
+        place_in_step(place);
         for (const auto& [name, row] : table_.rows) {
             if ((row.word || (row.start && !row.value)) && !on_bus(name)) {
                 place.refuse(name + " comes from no word of the bus");
@@ -50,6 +51,17 @@ class Reader {
     }
 
   private:
+    /// d[k], which samples need, is the output's polynomial where no line makes it.
+    void place_in_step(const Place& place) {
+        if (table_.section("sample").empty()) {
+            CurveRow& made = row("d");
+            made.fraction = row(table_.output).fraction;
+            made.of_axis = true;
+        } else if (table_.rows.count("d") == 0 || !row("d").of_axis) {
+            place.refuse("`sample` makes no d[k], the place in the step");
+        }
+    }
+
     CurveRow& row(const std::string& name) { return table_.rows[name]; }
 
     void directive(const std::string& key, const std::vector<std::string>& items,

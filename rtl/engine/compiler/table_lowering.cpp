@@ -61,6 +61,7 @@ class Lowering {
     Lowering(const ref::CurveTable& table, const ref::CoreParameters& core)
         : table_(table),
           core_(core),
+          by_lines_(table.samples_by_lines(core.polynomial())),
           demand_(order_demand(table, core.order, core.polynomial())),
           fixed_(fixed_rows(table)),
           writer_(code_, core.coef_bits),
@@ -102,10 +103,10 @@ class Lowering {
         for (const auto& [name, word] : scales) {
             writer_.fix(writer_.value(name, false, word));
         }
-        writer_.fix(writer_.value("start[k]", true, "start[k]"));
-        writer_.value("origin[k]", true, "origin[k]");
-        writer_.value("fine[k]", true, "fine[k]");
-        writer_.value("sigma", false, "sigma");
+        writer_.fix(writer_.value(place_word::kStart, true, "start[k]"));
+        writer_.value(place_word::kOrigin, true, "origin[k]");
+        writer_.value(place_word::kFine, true, "fine[k]");
+        writer_.value(place_word::kSigma, false, "sigma");
         for (int axis = kAxesBeforeOthers; axis < core_.axes(); ++axis) {
             writer_.fix(auxiliary("advance", axis));
             writer_.fix(auxiliary("start", axis));
@@ -123,7 +124,7 @@ class Lowering {
         const auto& next = table_.section("next");
         if (std::any_of(next.begin(), next.end(),
                         [](const TableLine& line) { return line.row == "move"; })) {
-            copy(writer_.value("origin[k]", true), writer_.value("start[k]", true));
+            copy(writer_.value(place_word::kOrigin, true), writer_.value(place_word::kStart, true));
         }
         for (const auto& [name, row] : table_.rows) {
             if (row.start && row.value) {
@@ -162,7 +163,7 @@ class Lowering {
             }
             const int moved = lines_.lower(line);
             if (line.row == "move") {
-                const int origin = writer_.value("origin[k]", true);
+                const int origin = writer_.value(place_word::kOrigin, true);
                 lines_.move(origin, origin, moved, scale_word::kToFine);
             }
         }
@@ -179,7 +180,8 @@ class Lowering {
                 writer_.fix(made);
             }
             if (line.row == "place") {
-                lines_.move(writer_.value("origin[k]", true), writer_.value("start[k]", true), made,
+                lines_.move(writer_.value(place_word::kOrigin, true),
+                            writer_.value(place_word::kStart, true), made,
                             scale_word::kPlaceToFine);
             }
         }
@@ -216,8 +218,7 @@ class Lowering {
                    });
         };
         const auto& lines = table_.section("sample");
-        return core_.polynomial() ? std::any_of(lines.begin(), lines.end(), reads)
-                                  : row == table_.output;
+        return by_lines_ ? std::any_of(lines.begin(), lines.end(), reads) : row == table_.output;
     }
 
     /// Returns whether a sum of `next` is made as soon as its series is there, which no sample
@@ -254,10 +255,10 @@ class Lowering {
         const int tau = lines_.state("tau");
         writer_.from({table_.file, 0, "tau = sigma / 2^k, cut"});
         const int aligned = writer_.temporary(false);
-        writer_.share(Op::kMull, aligned, {writer_.value("sigma", false)},
+        writer_.share(Op::kMull, aligned, {writer_.value(place_word::kSigma, false)},
                       {writer_.value(scale_word::kToTau, false)});
         writer_.share(Op::kMulr, tau, {aligned}, {-1, unit + 2}, true);
-        if (core_.polynomial()) {
+        if (by_lines_) {
             for (const TableLine& line : table_.section("sample")) {
                 const int made = lines_.lower(line);
                 if (line.row == "d") {
@@ -285,8 +286,8 @@ class Lowering {
     }
 
     void land(int displacement) {
-        lines_.move(writer_.value("fine[k]", true), writer_.value("origin[k]", true), displacement,
-                    scale_word::kToFine);
+        lines_.move(writer_.value(place_word::kFine, true),
+                    writer_.value(place_word::kOrigin, true), displacement, scale_word::kToFine);
     }
 
     int auxiliary(const char* what, int axis) {
@@ -299,6 +300,7 @@ class Lowering {
 
     const ref::CurveTable& table_;
     const ref::CoreParameters& core_;
+    bool by_lines_;  // samples
     std::map<std::string, int> demand_;
     std::set<std::string> fixed_;
     CurveCode code_;

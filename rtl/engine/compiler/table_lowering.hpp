@@ -25,6 +25,14 @@ constexpr char kDown[] = "2^(44-s)";                // step_scale
 constexpr char kDownTwice[] = "2^(44-2s)";
 }  // namespace scale_word
 
+/// Values of places, which no row of a table is: no name of a row has a space.
+namespace place_word {
+constexpr char kStart[] = "start[k] of the segment";  // start[k]
+constexpr char kOrigin[] = "origin[k] of the step";   // origin[k]
+constexpr char kFine[] = "fine[k] of the sample";     // fine[k]
+constexpr char kSigma[] = "sigma of the sample";      // sigma
+}  // namespace place_word
+
 /// Scale of a displacement to a fine position: lifted by 2^lift, times the word 2^(fine + k), over
 /// 2^45.
 struct FineScale {

@@ -94,7 +94,7 @@ class OpenSplineKernel : public hls::SplineKernel<sysc::RunTimeFormat> {
         }
         visit("phi.0", 0, Network::sum(net_.phi, 0, core.order - 1));  // of the next step
         for (int axis = 0; axis < 3; ++axis) {
-            visit("origin[k]", axis, position_[axis]);
+            visit(assembler::place_word::kOrigin, axis, position_[axis]);
             if (core.polynomial()) visit("V[k].0", axis, net_.V[axis][0]);
             if (core.polynomial()) visit("half_W[k]", axis, step_b_[axis]);
         }

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curve that no kernel draws, from its table alone: the machine against its integral in 50
+// digits, the engine's microcode against the machine's words.
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <random>
+
+#include "ref/curves/table_machine.hpp"
+#include "ref/curves/table_reader.hpp"
+#include "sysc/curves/table_words.hpp"
+#include "tb/support/microcode/curve_comparison.hpp"
+#include "tb/support/microcode/microcode_configurations.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+namespace mp = boost::multiprecision;
+using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+
+const ref::CurveTable& table() {
+    static const ref::CurveTable kTable =
+        ref::read_curve_table(std::string(CURVES_DIR) + "/clothoid.net");
+    return kTable;
+}
+
+/// A clothoid: its frame at the start, and curvature and its change, rad and rad a step.
+struct Clothoid {
+    std::array<Real, 3> start;
+    std::array<Real, 3> tangent;
+    std::array<Real, 3> normal;
+    Real kappa;
+    Real sigma;
+    int k = 0;  // a step is 2^k length units
+
+    /// Words of a core, or the numbers as they are.
+    template <class Machine>
+    void load(Machine& machine) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            machine.set("T", tangent[axis], axis);
+            machine.set("N", normal[axis], axis);
+        }
+        machine.set("kappa", kappa);
+        machine.set("sigma", sigma);
+        machine.load(start, k, k);
+    }
+
+    /// The position after u steps: T turns by its curvature's integral.
+    std::array<Real, 3> at(const Real& u) const {
+        const auto turned = [&](const Real& v) { return (kappa + sigma * v / 2) * v; };
+        const boost::math::quadrature::gauss<Real, 60> gauss;
+        Real cosines(0);
+        Real sines(0);
+        for (int part = 0; part < u; ++part) {
+            const Real end = std::min(u, Real(part + 1));
+            cosines += gauss.integrate([&](const Real& v) { return Real(cos(turned(v))); },
+                                       Real(part), end);
+            sines += gauss.integrate([&](const Real& v) { return Real(sin(turned(v))); },
+                                     Real(part), end);
+        }
+        std::array<Real, 3> place = start;
+        for (int axis = 0; axis < 3; ++axis) {
+            place[axis] += ldexp(cosines * tangent[axis] + sines * normal[axis], k);
+        }
+        return place;
+    }
+};
+
+/// A clothoid in a random plane, of words with so many bits; curvature stays below 1/8 in 8 steps.
+Clothoid random_clothoid(const sysc::CoreParameters& core, std::mt19937_64& random) {
+    const sysc::TableWords<Real> words{core.coef_bits, core.guard_bits};
+    const auto real = [&](double most) {
+        return std::uniform_real_distribution<double>(-most, most)(random);
+    };
+    Clothoid made;
+    Eigen::Vector3d t(real(1), real(1), real(1));
+    t.normalize();
+    const Eigen::Vector3d n = t.cross(Eigen::Vector3d(real(1), real(1), real(1))).normalized();
+    made.k = 8 + static_cast<int>(random() % static_cast<unsigned>(core.position_bits - 15));
+    const double room = std::ldexp(1.0, core.position_bits - 2);
+    for (int axis = 0; axis < 3; ++axis) {
+        made.start[axis] = words.position(Real(real(room)));
+        made.tangent[axis] = words.rounded(Real(t[axis]), -2);
+        made.normal[axis] = words.rounded(Real(n[axis]), -2);
+    }
+    made.kappa = words.rounded(Real(real(1.0 / 16)), 1);
+    made.sigma = words.rounded(Real(real(1.0 / 128)), 1);
+    return made;
+}
+
+TEST(Clothoid, OfTheTableIsTheIntegralOfItsTangent) {
+    std::mt19937_64 random(3);
+    ref::TableMachine<Real> machine(table(), 24, false);
+    for (int n = 0; n < 6; ++n) {
+        const Clothoid curve = random_clothoid({}, random);
+        curve.load(machine);
+        const Real length = ldexp(Real(1), curve.k);
+        for (int step = 0; step < 4; ++step) {
+            for (const double tau : {0.0, 0.37, 1.0}) {
+                const auto drawn = machine.sample(Real(tau));
+                const auto exact = curve.at(Real(step) + Real(tau));
+                for (int axis = 0; axis < 3; ++axis) {
+                    EXPECT_LT(abs(drawn[axis] - exact[axis]), 1e-30 * length) << step << " " << tau;
+                }
+            }
+            machine.step();
+        }
+    }
+}
+
+/// The engine's program beside the machine in words.
+class MicrocodeOfClothoid {
+  public:
+    explicit MicrocodeOfClothoid(const sysc::CoreParameters& core)
+        : core_(core),
+          code_(assembled(core)),
+          engine_(code_),
+          words_(table(), core.order, core.polynomial(), {core.coef_bits, core.guard_bits}) {}
+
+    /// Draws steps of a curve with both; returns the number of words that differ.
+    int draw(const Clothoid& curve, int steps, std::mt19937_64& random) {
+        load(curve);
+        curve.load(words_);
+        engine_.run(0);
+        int differ = 0;
+        for (int step = 0; step < steps; ++step) {
+            if (step > 0) {
+                engine_.run(1);
+                words_.step();
+            }
+            for (int sample = 0; sample < 3; ++sample) {
+                const int bits = curve.k + hls::kPathFrac;
+                const std::uint64_t sigma = sample == 0 ? 0 : random() % (std::uint64_t{1} << bits);
+                engine_.set("sigma", static_cast<std::int64_t>(sigma));
+                engine_.run(2);
+                const int unit = core_.coef_bits - 1;
+                const Real tau = ldexp(floor(ldexp(Real(sigma), unit - bits)), -unit);
+                const auto at = words_.sample(tau);
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Real fine = ldexp(at[axis], core_.guard_bits);
+                    differ += Real(engine_.get("fine[k]", axis)) == fine ? 0 : 1;
+                    ++samples_;
+                }
+            }
+        }
+        return differ;
+    }
+    int samples() const { return samples_; }
+
+  private:
+    static assembler::Assembly assembled(const sysc::CoreParameters& core) {
+        assembler::Assembly assembly(kLargeStore);
+        MicrocodeMachine::dispatch(assembly, {"clothoid_load", "clothoid_step", "clothoid_sample"});
+        assemble_curves({table()}, core, assembly, "idle", "idle");
+        assembly.finish();
+        return assembly;
+    }
+
+    void load(const Clothoid& curve) {
+        const auto word = [&](const Real& value, int bits) {
+            return static_cast<std::int64_t>(ldexp(value, bits));
+        };
+        const auto scale = [&](const char* name, int power) {
+            engine_.set(name, std::int64_t{1} << power);
+        };
+        const int fine = assembler::fine_scale(core_).fine;
+        scale("tau_scale", hls::kMaxStepExponent - curve.k);
+        scale("fine_scale", fine + curve.k);
+        engine_.set("theta", word(curve.kappa, core_.coef_bits + 1));
+        engine_.set("advance", word(curve.sigma, core_.coef_bits + 1));
+        for (int axis = 0; axis < 3; ++axis) {
+            engine_.set("start[k]", word(curve.start[axis], core_.guard_bits), axis);
+            engine_.set("tangent[k]", word(curve.tangent[axis], core_.coef_bits - 2), axis);
+            engine_.set("normal[k]", word(curve.normal[axis], core_.coef_bits - 2), axis);
+        }
+    }
+
+    sysc::CoreParameters core_;
+    assembler::Assembly code_;
+    MicrocodeMachine engine_;
+    ref::TableMachine<Real, sysc::TableWords<Real>> words_;
+    int samples_ = 0;
+};
+
+TEST(Clothoid, MicrocodeDrawsTheWordsOfTheTable) {
+    std::mt19937_64 random(5);
+    int samples = 0;
+    for (const CurveCase& of : configurations()) {
+        if (of.spline || of.core.aux_axes > 0) continue;
+        MicrocodeOfClothoid microcode(of.core);
+        for (int n = 0; n < 4; ++n) {
+            EXPECT_EQ(microcode.draw(random_clothoid(of.core, random), 4, random), 0) << text(of);
+        }
+        samples += microcode.samples();
+    }
+    EXPECT_GT(samples, 2000);
+}
+
+}  // namespace
+}  // namespace curvecore::tb

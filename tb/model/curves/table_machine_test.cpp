@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables of arc and spline, run in words: the kernels' words, bit for bit, in every configuration
+// of tb/configurations.csv. A line that is left out, or a sign or a fraction that is changed, is
+// seen.
+#include "ref/curves/table_machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "ref/text/input_error.hpp"
+#include "sysc/curves/table_words.hpp"
+#include "tb/support/microcode/curve_comparison.hpp"
+#include "tb/support/microcode/microcode_configurations.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+namespace mp = boost::multiprecision;
+using Real = mp::number<mp::cpp_bin_float<113, mp::digit_base_2>, mp::et_off>;
+using Machine = ref::TableMachine<Real, sysc::TableWords<Real>>;
+
+std::string text_of(const CurveCase& of) {
+    const std::string name = of.spline ? "spline" : "arc";
+    std::ifstream file(std::string(CURVES_DIR) + "/" + name + ".net");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Kernels whose series are compared, too: visit(row, axis, order, word).
+struct SplineWords : hls::SplineKernel<sysc::RunTimeFormat> {
+    using hls::SplineKernel<sysc::RunTimeFormat>::SplineKernel;
+
+    template <class Visit>
+    void series(int order, Visit&& visit) const {
+        for (int i = 0; i < order; ++i) visit("phi", 0, i, net_.phi[i]);
+        for (int i = 0; i < order - 1; ++i) visit("Q", 0, i, net_.Q[i]);
+        for (int i = 1; i <= order; ++i) visit("q", 0, i, net_.q[i]);
+        for (int axis = 0; axis < 3 && order > 2; ++axis) visit("V", axis, 1, net_.V[axis][1]);
+    }
+};
+struct ArcWords : hls::SphericalKernel<sysc::RunTimeFormat> {
+    using hls::SphericalKernel<sysc::RunTimeFormat>::SphericalKernel;
+    template <class Visit>
+    void series(int, Visit&&) const {}
+};
+
+/// Words that differ from a kernel's, of random segments.
+class Comparison {
+  public:
+    Comparison(const CurveCase& of, const ref::CurveTable& table)
+        : of_(of),
+          table_(table),
+          machine_(table, of.core.order, of.core.polynomial(),
+                   {of.core.coef_bits, of.core.guard_bits}),
+          ranges_(of.core.coef_bits) {}
+
+    int segment(std::mt19937_64& random, int steps, int samples) {
+        return of_.spline ? drawn<SplineWords>(random, steps, samples)
+                          : drawn<ArcWords>(random, steps, samples);
+    }
+
+  private:
+    template <class Kernel>
+    int drawn(std::mt19937_64& random, int steps, int samples) {
+        const sysc::RunSegment words = random_segment(of_, random);
+        Kernel kernel(sysc::RunTimeFormat(of_.core, of_.core.axes(), &ranges_));
+        kernel.load(words);
+        load(words);
+        int differ = 0;
+        for (int step = 0; step < steps; ++step) {
+            if (step > 0) {
+                kernel.step();
+                machine_.step();
+            }
+            kernel.series(of_.core.order, [&](const char* row, int axis, int i, std::int64_t word) {
+                const int bits = of_.core.coef_bits + table_.rows.at(row).fraction;
+                differ += ldexp(machine_.value(row, i, axis), bits) == Real(word) ? 0 : 1;
+            });
+            for (int sample = 0; sample < samples; ++sample) {
+                const int bits = words.step_exponent + hls::kPathFrac;
+                const std::uint64_t sigma = sample == 0 ? 0 : random() % (std::uint64_t{1} << bits);
+                std::int64_t fine[sysc::kMostAxes];
+                kernel.sample(static_cast<std::int64_t>(sigma), fine);
+                const auto at = machine_.sample(tau(sigma, bits));
+                for (int axis = 0; axis < 3; ++axis) {
+                    differ += ldexp(at[axis], of_.core.guard_bits) == Real(fine[axis]) ? 0 : 1;
+                }
+            }
+        }
+        return differ;
+    }
+
+    /// The part of a step, cut to a word.
+    Real tau(std::uint64_t sigma, int bits) const {
+        const int unit = of_.core.coef_bits - 1;
+        return ldexp(floor(ldexp(Real(sigma), unit - bits)), -unit);
+    }
+
+    void load(const sysc::RunSegment& words) {
+        const auto set = [&](const char* field, const std::int64_t* values, int count) {
+            const std::string& row = table_.bus.at(field);
+            const int bits = of_.core.coef_bits + table_.rows.at(row).fraction;
+            for (int axis = 0; axis < count; ++axis) {
+                machine_.set(row, ldexp(Real(values[axis]), -bits), axis);
+            }
+        };
+        set("theta", &words.theta, 1);
+        set("tangent", words.tangent, 3);
+        set("normal", words.normal, 3);
+        set("advance", words.advance, 3);
+        Machine::Axes start;
+        for (int axis = 0; axis < 3; ++axis) {
+            start[axis] = ldexp(Real(words.start[axis]), -of_.core.guard_bits);
+        }
+        machine_.load(start, words.step_exponent, words.lambda);
+    }
+
+    CurveCase of_;
+    const ref::CurveTable& table_;
+    Machine machine_;
+    sysc::ValueRanges ranges_;
+};
+
+/// Samples that differ, of so many segments; those behind the first that has some are not drawn.
+int differ(const CurveCase& of, const ref::CurveTable& table, int segments) {
+    Comparison comparison(of, table);
+    std::mt19937_64 random(7);
+    int sum = 0;
+    for (int n = 0; n < segments && sum == 0; ++n) sum = comparison.segment(random, 3, 3);
+    return sum;
+}
+
+TEST(TableMachine, DrawsTheKernelsWordsInEveryConfiguration) {
+    int seen = 0;
+    for (const CurveCase& of : configurations()) {
+        const ref::CurveTable table = ref::read_curve_text("", text_of(of));
+        EXPECT_EQ(differ(of, table, 4), 0) << text(of);
+        ++seen;
+    }
+    EXPECT_GT(seen, 100);
+}
+
+/// Texts of a table with one line changed: left out, a term's sign turned, a fraction one off.
+std::vector<std::string> changed(const std::string& table) {
+    std::vector<std::string> lines;
+    std::istringstream stream(table);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    std::vector<std::string> all;
+    const std::regex made(R"(^  \S+ : ([+-]?\d+) \+?= .*)");
+    for (std::size_t at = 0; at < lines.size(); ++at) {
+        std::smatch match;
+        if (!std::regex_match(lines[at], match, made)) continue;
+        const auto with = [&](const std::string& line) {
+            std::string text;
+            for (std::size_t n = 0; n < lines.size(); ++n) {
+                text += (n == at ? line : lines[n]) + "\n";
+            }
+            all.push_back(text);
+        };
+        const std::string line = lines[at].substr(0, lines[at].find('#'));
+        with("");
+        const std::size_t body = line.find('=') + 1;
+        with(line.substr(0, body) +
+             (line[body + 1] == '-' ? line.substr(body + 2) : " - " + line.substr(body)));
+        for (std::size_t term = line.find(" + ", body); term != std::string::npos;
+             term = line.find(" + ", term + 1)) {
+            with(line.substr(0, term) + " - " + line.substr(term + 3));
+        }
+        for (const int by : {-1, 1}) {
+            with(line.substr(0, static_cast<std::size_t>(match.position(1))) +
+                 std::to_string(std::stoi(match[1]) + by) + " " +
+                 line.substr(line.find_first_of("+=", body - 3)));
+        }
+    }
+    return all;
+}
+
+/// Changes that change no value: what is exact has no use for more bits; -0 is 0.
+constexpr const char* kSame[] = {"z.1 : -2 = -  0",           "sum_N[k] : -1 = sum(N[k])",
+                                 "sum_T[k] : -1 = sum(T[k])", "move[k] : -1 = sum(c[k])",
+                                 "three_a[k] : -1 =",         "moved : -1 = sum(q)"};
+
+TEST(TableMachine, AChangedLineIsSeen) {
+    for (const bool spline : {false, true}) {
+        int refused = 0;
+        int seen = 0;
+        for (const std::string& text : changed(text_of({spline, {}}))) {
+            int samples = 0;
+            try {
+                const ref::CurveTable table = ref::read_curve_text("", text);
+                for (const int mode : {0, 1}) {
+                    CurveCase of{spline, {}};
+                    of.core.mode = mode;
+                    if (samples == 0) samples = differ(of, table, 250);
+                }
+            } catch (const ref::InputError&) {
+                ++refused;
+                continue;
+            }
+            const bool same =
+                std::any_of(std::begin(kSame), std::end(kSame),
+                            [&](const char* line) { return text.find(line) != std::string::npos; });
+            EXPECT_EQ(samples == 0, same) << text.substr(text.find("anchor"));
+            ++seen;
+        }
+        EXPECT_GT(seen, spline ? 100 : 40);
+        EXPECT_GT(refused, 10);
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
