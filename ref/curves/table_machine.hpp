@@ -61,6 +61,11 @@ class TableMachine {
 
     /// Begins the segment whose words are set, with its first step.
     void load(const Axes& start, int k, int lambda) {
+        begin(start, k, lambda);
+        open();
+    }
+    /// The same without the step: open() makes it.
+    void begin(const Axes& start, int k, int lambda) {
         start_ = origin_ = start;
         k_ = k;
         down_ = lambda - k;
@@ -68,14 +73,35 @@ class TableMachine {
         for (const auto& [name, row] : table_.rows) {
             if (row.value) rows_.at(name).at[0][0] = Number(*row.value);
         }
-        lines("load");
-        open();
     }
 
     /// Goes on to the next step.
     void step() {
-        lines("next");
+        leave();
         open();
+    }
+
+    /// Makes what a segment and a step begin with, of the rows that are set and carried.
+    void open() {
+        lines("load");
+        lines("anchor");
+        for (int i = 1; i <= order_; ++i) {
+            for (const TableLine& line : table_.section("order")) {
+                const auto needed = demand_.find(line.row);
+                if (needed == demand_.end() || i > needed->second) continue;
+                if (i > 1 || !begun(line.row)) run(line, i);
+            }
+        }
+    }
+    /// Carries on what the next step begins with.
+    void leave() { lines("next"); }
+
+    /// The positions that the segment and the step begin with.
+    const Axes& start() const { return start_; }
+    const Axes& origin() const { return origin_; }
+    void set_positions(const Axes& start, const Axes& origin) {
+        start_ = start;
+        origin_ = origin;
     }
 
     /// The position at tau of the step, 0 <= tau < 1.
@@ -117,17 +143,6 @@ class TableMachine {
     }
     Number moved(const Number& from, const Number& by, int power) const {
         return from + arithmetic_.position(scaled(by, power));
-    }
-
-    void open() {
-        lines("anchor");
-        for (int i = 1; i <= order_; ++i) {
-            for (const TableLine& line : table_.section("order")) {
-                const auto needed = demand_.find(line.row);
-                if (needed == demand_.end() || i > needed->second) continue;
-                if (i > 1 || !begun(line.row)) run(line, i);
-            }
-        }
     }
 
     /// Returns whether the anchor gives order 1 of a row.

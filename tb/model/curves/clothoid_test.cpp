@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
 
+#include "ref/bound/table_bound.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "sysc/curves/table_words.hpp"
@@ -34,7 +35,6 @@ struct Clothoid {
     Real sigma;
     int k = 0;  // a step is 2^k length units
 
-    /// Words of a core, or the numbers as they are.
     template <class Machine>
     void load(Machine& machine) const {
         for (int axis = 0; axis < 3; ++axis) {
@@ -46,10 +46,24 @@ struct Clothoid {
         machine.load(start, k, k);
     }
 
+    /// The same in words of a core.
+    Clothoid in_words(const sysc::CoreParameters& core) const {
+        const sysc::TableWords<Real> words{core.coef_bits, core.guard_bits};
+        Clothoid made = *this;
+        for (int axis = 0; axis < 3; ++axis) {
+            made.start[axis] = words.position(start[axis]);
+            made.tangent[axis] = words.rounded(tangent[axis], -2);
+            made.normal[axis] = words.rounded(normal[axis], -2);
+        }
+        made.kappa = words.rounded(kappa, 1);
+        made.sigma = words.rounded(sigma, 1);
+        return made;
+    }
+
     /// The position after u steps: T turns by its curvature's integral.
     std::array<Real, 3> at(const Real& u) const {
         const auto turned = [&](const Real& v) { return (kappa + sigma * v / 2) * v; };
-        const boost::math::quadrature::gauss<Real, 60> gauss;
+        const boost::math::quadrature::gauss<Real, 30> gauss;
         Real cosines(0);
         Real sines(0);
         for (int part = 0; part < u; ++part) {
@@ -67,25 +81,23 @@ struct Clothoid {
     }
 };
 
-/// A clothoid in a random plane, of words with so many bits; curvature stays below 1/8 in 8 steps.
+/// A clothoid in a random plane, whose curvature stays below 1/8 in 8 steps.
 Clothoid random_clothoid(const sysc::CoreParameters& core, std::mt19937_64& random) {
-    const sysc::TableWords<Real> words{core.coef_bits, core.guard_bits};
     const auto real = [&](double most) {
         return std::uniform_real_distribution<double>(-most, most)(random);
     };
-    Clothoid made;
-    Eigen::Vector3d t(real(1), real(1), real(1));
-    t.normalize();
+    const Eigen::Vector3d t = Eigen::Vector3d(real(1), real(1), real(1)).normalized();
     const Eigen::Vector3d n = t.cross(Eigen::Vector3d(real(1), real(1), real(1))).normalized();
+    Clothoid made;
     made.k = 8 + static_cast<int>(random() % static_cast<unsigned>(core.position_bits - 15));
     const double room = std::ldexp(1.0, core.position_bits - 2);
     for (int axis = 0; axis < 3; ++axis) {
-        made.start[axis] = words.position(Real(real(room)));
-        made.tangent[axis] = words.rounded(Real(t[axis]), -2);
-        made.normal[axis] = words.rounded(Real(n[axis]), -2);
+        made.start[axis] = Real(real(room));
+        made.tangent[axis] = Real(t[axis]);
+        made.normal[axis] = Real(n[axis]);
     }
-    made.kappa = words.rounded(Real(real(1.0 / 16)), 1);
-    made.sigma = words.rounded(Real(real(1.0 / 128)), 1);
+    made.kappa = Real(real(1.0 / 16));
+    made.sigma = Real(real(1.0 / 128));
     return made;
 }
 
@@ -105,6 +117,61 @@ TEST(Clothoid, OfTheTableIsTheIntegralOfItsTangent) {
                 }
             }
             machine.step();
+        }
+    }
+}
+
+/// The bound's share that the worst sample of a curve in words reaches.
+double share_of_bound(const sysc::CoreParameters& core, const Clothoid& curve,
+                      std::mt19937_64& random) {
+    constexpr int kSteps = 8;
+    ref::TableSegment segment;
+    segment.k = segment.lambda = curve.k;
+    segment.steps = kSteps;
+    const auto number = [](const Real& of) { return static_cast<double>(of); };
+    for (int axis = 0; axis < 3; ++axis) {
+        segment.values["T"][axis] = number(curve.tangent[axis]);
+        segment.values["N"][axis] = number(curve.normal[axis]);
+    }
+    segment.values["kappa"] = {number(curve.kappa), 0, 0};
+    segment.values["sigma"] = {number(curve.sigma), 0, 0};
+    const ref::TableError bound = ref::table_error(table(), core, segment);
+    EXPECT_TRUE(bound.beyond.empty());
+
+    ref::TableMachine<Real, sysc::TableWords<Real>> words(table(), core.order, core.polynomial(),
+                                                          {core.coef_bits, core.guard_bits});
+    curve.in_words(core).load(words);
+    double most = 0;
+    for (int step = 0; step < kSteps; ++step) {
+        if (step > 0) words.step();
+        for (int sample = 0; sample < 3; ++sample) {
+            const int unit = core.coef_bits - 1;
+            const double path = std::uniform_real_distribution<double>(0, 1)(random);
+            const auto at = words.sample(ldexp(floor(ldexp(Real(path), unit)), -unit));
+            const auto exact = curve.at(Real(step) + Real(path));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double error = number(abs(at[axis] - exact[axis]));
+                const double of = bound.errors[static_cast<std::size_t>(step)][axis];
+                EXPECT_LT(error, of) << "step " << step;
+                most = std::max(most, error / of);
+            }
+        }
+    }
+    return most;
+}
+
+TEST(Clothoid, EverySampleInWordsIsWithinTheBoundOfItsTable) {
+    std::mt19937_64 random(11);
+    for (const int order : {2, 6, 12}) {
+        for (const int bits : {24, 36}) {
+            sysc::CoreParameters core;
+            core.order = order;
+            core.coef_bits = bits;
+            double most = 0;
+            for (int n = 0; n < 4; ++n) {
+                most = std::max(most, share_of_bound(core, random_clothoid(core, random), random));
+            }
+            EXPECT_GT(most, 0.1) << "Order " << order << ", CoefBits " << bits;
         }
     }
 }
@@ -190,7 +257,9 @@ TEST(Clothoid, MicrocodeDrawsTheWordsOfTheTable) {
         if (of.spline || of.core.aux_axes > 0) continue;
         MicrocodeOfClothoid microcode(of.core);
         for (int n = 0; n < 4; ++n) {
-            EXPECT_EQ(microcode.draw(random_clothoid(of.core, random), 4, random), 0) << text(of);
+            EXPECT_EQ(microcode.draw(random_clothoid(of.core, random).in_words(of.core), 4, random),
+                      0)
+                << text(of);
         }
         samples += microcode.samples();
     }

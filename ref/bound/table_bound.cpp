@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/bound/table_bound.hpp"
+
+#include "ref/bound/error_tape.hpp"
+#include "ref/curves/table_machine.hpp"
+#include "ref/format/path_words.hpp"
+#include "ref/numeric/angles.hpp"
+
+namespace curvecore::ref {
+
+Eigen::MatrixXd ErrorTape::sweep(const std::vector<int>& outputs) const {
+    // By rows: a node's partials stand together.
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> partials =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes_.size()),
+                              static_cast<Eigen::Index>(outputs.size()));
+    for (std::size_t n = 0; n < outputs.size(); ++n) {
+        if (outputs[n] != kNone) partials(outputs[n], static_cast<Eigen::Index>(n)) = 1;
+    }
+    for (Eigen::Index n = partials.rows(); n-- > 0;) {
+        const Node& node = nodes_[static_cast<std::size_t>(n)];
+        if (node.a != kNone) partials.row(node.a) += node.by_a * partials.row(n);
+        if (node.b != kNone) partials.row(node.b) += node.by_b * partials.row(n);
+    }
+    return partials;
+}
+
+double TableError::worst() const {
+    double most = 0;
+    for (const auto& step : errors) most = std::max({most, step[0], step[1], step[2]});
+    return most;
+}
+
+namespace {
+
+constexpr int kOrdersMore = 8;
+constexpr int kPlacesPerDegree = 4;
+
+/// Degree of each row of `sample` as a polynomial in tau.
+int degree_of_samples(const CurveTable& table, int order, bool by_lines) {
+    if (!by_lines) return order;
+    std::map<std::string, int> degrees{{"tau", 1}};
+    using Function = TableLine::Function;
+    for (const TableLine& line : table.section("sample")) {
+        int most = 0;
+        for (const TableTerm& term : line.terms) {
+            most = std::max(most, degrees[term.a.row] + degrees[term.b.row]);
+        }
+        if (line.function == Function::kHorner) most = std::max(most, order);
+        if (line.function == Function::kOdd || line.function == Function::kEven) {
+            most = std::max(most, order / 2 * degrees[line.variable]);
+        }
+        degrees[line.row] = most;
+    }
+    return degrees["d"];
+}
+
+/// Places of a step from which a polynomial of so many degrees is known everywhere in it: it is at
+/// most `beyond` times the largest of its values there.
+///
+/// Source: H. Ehlich, K. Zeller, Schwankung von Polynomen zwischen Gitterpunkten, Mathematische
+/// Zeitschrift 86, 1964.
+struct Places {
+    explicit Places(int degree) {
+        const int count = kPlacesPerDegree * degree;
+        for (int n = 0; n < count; ++n)
+            at.push_back((1 + std::cos((2 * n + 1) * kTurnRadians / (4 * count))) / 2);
+        beyond = 1 / std::cos(degree * kTurnRadians / (4 * count));
+    }
+    std::vector<double> at;
+    double beyond = 1;
+};
+
+/// A row's axis, or that of a position, which is carried from step to step.
+struct Carried {
+    enum class Kind { kRow, kStart, kOrigin };
+
+    Kind kind = Kind::kRow;
+    int axis = 0;
+    std::string row;
+};
+
+class TableWalk {
+  public:
+    TableWalk(const CurveTable& table, const CoreParameters& core, const TableSegment& segment)
+        : table_(table),
+          core_(core),
+          segment_(segment),
+          by_lines_(table.samples_by_lines(core.polynomial())),
+          places_(degree_of_samples(table, core.order, by_lines_)),
+          places_of_rest_(degree_of_samples(table, core.order + kOrdersMore, by_lines_)),
+          cut_(table, core.order, core.polynomial()),
+          whole_(table, core.order + kOrdersMore, core.polynomial()),
+          words_(table, core.order, core.polynomial(), {core.coef_bits, core.guard_bits, &tape_}) {
+        for (const auto& [name, row] : table.rows) {
+            for (int axis = 0; row.start && axis < (row.of_axis ? 3 : 1); ++axis) {
+                carried_.push_back({Carried::Kind::kRow, axis, name});
+            }
+        }
+        for (const auto kind : {Carried::Kind::kStart, Carried::Kind::kOrigin}) {
+            for (int axis = 0; axis < 3; ++axis) carried_.push_back({kind, axis, ""});
+        }
+        for (const auto& [row, values] : segment.values) {
+            for (int axis = 0; axis < 3; ++axis) {
+                whole_.set(row, values[axis], axis);
+                const double scaled = std::floor(std::ldexp(values[axis], bits(row)) + 0.5);
+                const double word = std::ldexp(scaled, -bits(row));
+                cut_.set(row, word, axis);
+                words_.set(row, {word}, axis);
+            }
+        }
+        whole_.load({0, 0, 0}, segment.k, segment.lambda);
+        cut_.load({0, 0, 0}, segment.k, segment.lambda);
+        words_.begin({}, segment.k, segment.lambda);
+        // The start's position is a word, and the first step's.
+        errors_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(carried_.size()), 3);
+        const double half = std::ldexp(0.5, -core.guard_bits);
+        errors_.bottomRows(3).diagonal().setConstant(half);
+        errors_.middleRows(errors_.rows() - 6, 3).diagonal().setConstant(half);
+    }
+
+    TableError result() {
+        for (int step = 0; step < segment_.steps; ++step) {
+            if (step > 0) {
+                whole_.step();
+                cut_.step();
+            }
+            trace(step + 1 < segment_.steps ? 1 : segment_.last, step + 1 < segment_.steps);
+        }
+        for (const auto& [name, row] : table_.rows) {
+            const double largest = words_.largest(name).value;
+            result_.largest[name] = largest;
+            if (largest >= std::ldexp(1.0, -1 - row.fraction)) result_.beyond.push_back(name);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    int bits(const std::string& row) const {
+        return core_.coef_bits + table_.rows.at(row).fraction;
+    }
+
+    const TracedNumber& carried(const Carried& of) const {
+        if (of.kind == Carried::Kind::kRow) return words_.value(of.row, 0, of.axis);
+        return of.kind == Carried::Kind::kStart ? words_.start()[of.axis]
+                                                : words_.origin()[of.axis];
+    }
+
+    /// Draws a part of a step, its samples, and what it carries on.
+    void trace(double part, bool goes_on) {
+        const std::vector<int> from = inputs();
+        words_.open();
+        std::vector<int> to;
+        const double cut = std::ldexp(1.0, 1 - core_.coef_bits);  // of tau
+        const bool cuts = segment_.k + kPathFrac > core_.coef_bits - 1;
+        for (const double place : places_.at) {
+            const int tau = tape_.add(cuts ? cut : 0);
+            for (const TracedNumber& at :
+                 words_.sample({place * part, cuts ? cut : 0, core_.coef_bits - 1, &tape_, tau})) {
+                to.push_back(at.node);
+            }
+        }
+        if (goes_on) words_.leave();
+        for (const Carried& of : carried_) to.push_back(carried(of).node);
+
+        const Eigen::MatrixXd partials = tape_.sweep(to);
+        const auto inputs = static_cast<Eigen::Index>(from.size());
+        const Eigen::MatrixXd before = partials.topRows(inputs).transpose() * errors_;
+        Eigen::VectorXd sums = before.cwiseAbs().rowwise().sum();
+        std::vector<Eigen::Index> carried;  // nodes whose errors go on
+        for (Eigen::Index node = inputs; node < partials.rows(); ++node) {
+            const double own = tape_.own(static_cast<std::size_t>(node));
+            if (own == 0) continue;
+            sums += own * partials.row(node).cwiseAbs().transpose();
+            if (!partials.row(node).tail(inputs).isZero(0)) carried.push_back(node);
+        }
+        bound(part, sums.head(sums.size() - inputs));
+        if (!goes_on) return;
+        errors_.resize(inputs, before.cols() + static_cast<Eigen::Index>(carried.size()));
+        errors_.leftCols(before.cols()) = before.bottomRows(inputs);
+        Eigen::Index column = before.cols();
+        for (const Eigen::Index node : carried) {
+            const double own = tape_.own(static_cast<std::size_t>(node));
+            errors_.col(column++) = own * partials.row(node).tail(inputs).transpose();
+        }
+    }
+
+    /// Adds a step's bound: of the roundings at the places, and of the series' rest.
+    void bound(double part, const Eigen::VectorXd& errors) {
+        std::array<double, 3> rounding{};
+        for (Eigen::Index at = 0; at < errors.size(); ++at) {
+            double& most = rounding[static_cast<std::size_t>(at % 3)];
+            most = std::max(most, errors(at));
+        }
+        std::array<double, 3> rest{};
+        for (const double place : places_of_rest_.at) {
+            const auto cut = cut_.sample(place * part);
+            const auto whole = whole_.sample(place * part);
+            for (int axis = 0; axis < 3; ++axis) {
+                rest[axis] = std::max(rest[axis], std::abs(cut[axis] - whole[axis]));
+            }
+        }
+        std::array<double, 3> sum{};
+        for (int axis = 0; axis < 3; ++axis) {
+            sum[axis] = rounding[axis] * places_.beyond + rest[axis] * places_of_rest_.beyond;
+        }
+        result_.errors.push_back(sum);
+    }
+
+    /// Begins the tape of a step with what is carried into it.
+    std::vector<int> inputs() {
+        tape_.clear();
+        std::vector<int> nodes;
+        auto start = words_.start();
+        auto origin = words_.origin();
+        const Eigen::VectorXd errors = errors_.cwiseAbs().rowwise().sum();
+        for (const Carried& of : carried_) {
+            const int node = tape_.add(0);
+            const double error = errors(static_cast<Eigen::Index>(nodes.size()));
+            const bool of_row = of.kind == Carried::Kind::kRow;
+            const int fraction = of_row ? bits(of.row) : core_.guard_bits;
+            const TracedNumber in{carried(of).value, error, fraction, &tape_, node};
+            if (of_row) words_.set(of.row, in, of.axis);
+            if (of.kind == Carried::Kind::kStart) start[of.axis] = in;
+            if (of.kind == Carried::Kind::kOrigin) origin[of.axis] = in;
+            nodes.push_back(node);
+        }
+        words_.set_positions(start, origin);
+        return nodes;
+    }
+
+    const CurveTable& table_;
+    const CoreParameters& core_;
+    const TableSegment& segment_;
+    bool by_lines_;  // samples
+    Places places_;
+    Places places_of_rest_;
+    ErrorTape tape_;
+    TableMachine<double> cut_;    // the core's orders, no rounding
+    TableMachine<double> whole_;  // more orders, from exact values
+    TableMachine<TracedNumber, TracedWords> words_;
+    std::vector<Carried> carried_;
+    Eigen::MatrixXd errors_;  // of what is carried, by independent errors
+    TableError result_;
+};
+
+}  // namespace
+
+TableError table_error(const CurveTable& table, const CoreParameters& core,
+                       const TableSegment& segment) {
+    return TableWalk(table, core, segment).result();
+}
+
+}  // namespace curvecore::ref
