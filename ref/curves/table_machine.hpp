@@ -56,7 +56,7 @@ class TableMachine {
 
     /// Sets a row that comes from the bus.
     void set(const std::string& row, const Number& value, int axis = 0) {
-        rows_.at(row).at[axis][0] = value;
+        make(rows_.at(row), axis, 0, value);
     }
 
     /// Begins the segment whose words are set, with its first step.
@@ -173,10 +173,14 @@ class TableMachine {
         for (int axis = 0; axis < (axes ? 3 : 1); ++axis) made[axis] = result(line, i, axis);
         if (line.adds_axes) made[0] += made[1] + made[2];
         for (int axis = 0; axis < (line.of_axis ? 3 : 1); ++axis) {
-            using std::abs;
-            row.at[axis][order] = made[axis];
-            row.largest = std::max(row.largest, Number(abs(made[axis])));
+            make(row, axis, order, made[axis]);
         }
+    }
+
+    static void make(Row& row, int axis, std::size_t order, const Number& value) {
+        using std::abs;
+        row.at[axis][order] = value;
+        row.largest = std::max(row.largest, Number(abs(value)));
     }
 
     Number result(const TableLine& line, int i, int axis) {

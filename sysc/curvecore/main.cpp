@@ -26,7 +26,7 @@ int run(std::vector<std::string> arguments) {
     begin_help(app);
     int status = 0;
     for (const auto add : {add_run, add_plan, add_words, add_cam, add_join, add_compare, add_choose,
-                           add_stream, add_home, add_board, add_explore}) {
+                           add_stream, add_home, add_board, add_explore, add_curve}) {
         add(app, status);
     }
     parse(app, std::move(arguments));

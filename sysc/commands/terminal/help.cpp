@@ -49,6 +49,9 @@ const std::map<std::string, std::vector<const char*>> kExamples{
     {"explore",
      {"part.ngc -o queues", "part.ngc --host 1ms,5ms --word 2us,500us -o uart",
       "part.ngc --segment-queue 512,1024 --profile-queue 256,512 -o short"}},
+    {"curve",
+     {"check ref/curves/clothoid.net", "check ref/curves/spline.net --set Order=9",
+      "check ref/curves/clothoid.net --row T=1,0,0 --row N=0,1,0 --row kappa=0.05 --row sigma=0"}},
 };
 
 std::string examples_of(const std::string& command) {

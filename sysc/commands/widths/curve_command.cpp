@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore curve`: a table of a curve (ref/curves/curve_table.hpp): its rows, what the engine
+// needs for it, and how far its words may be off a segment of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ref/bound/table_bound.hpp"
+#include "ref/curves/order_demand.hpp"
+#include "ref/curves/table_reader.hpp"
+#include "rtl/engine/assembler/worst_case.hpp"
+#include "rtl/engine/compiler/curve_assembler.hpp"
+#include "rtl/engine/compiler/motion_program.hpp"
+#include "sysc/commands/options/typed_option.hpp"
+#include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/widths/commands.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+enum class CurveAction { kCheck };
+constexpr std::array<std::string_view, 1> kCurveActions{"check"};
+
+/// A row's values of a segment, of X Y Z where it has axes.
+struct RowValues {
+    std::string row;
+    std::vector<double> values;
+};
+
+struct CurveOptions {
+    CurveAction action = CurveAction::kCheck;
+    std::string file;
+    std::vector<ParameterList> set;
+    std::vector<RowValues> rows;
+    int step_exponent = 20;
+    int down = 0;
+    int steps = 1;
+};
+
+double number(const std::string& option, const std::string& text) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+        value = std::stod(text, &used);
+    } catch (const std::logic_error&) {
+    }
+    if (text.empty() || used != text.size() || !std::isfinite(value)) {
+        throw UsageError(fmt::format("{} '{}': not a number", option, text));
+    }
+    return value;
+}
+
+RowValues row_values(const std::string& option, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw UsageError(fmt::format("{} '{}': expected ROW=VALUE or ROW=X,Y,Z", option, text));
+    }
+    return {text.substr(0, equals), list_of(number)(option, text.substr(equals + 1))};
+}
+
+/// Reads a whole number from `low` to `high`.
+auto whole_in(int low, int high) {
+    return [=](const std::string& option, const std::string& text) {
+        const std::uint64_t value = whole(option, text);
+        if (value >= std::uint64_t(low) && value <= std::uint64_t(high)) {
+            return static_cast<int>(value);
+        }
+        throw UsageError(fmt::format("{} must be in [{}, {}]", option, low, high));
+    };
+}
+
+/// The segment that is asked for. @throws UsageError: a row that the bus has not, or without value
+ref::TableSegment segment_of(const ref::CurveTable& table, const CurveOptions& asked) {
+    ref::TableSegment segment;
+    segment.k = asked.step_exponent;
+    segment.lambda = asked.step_exponent + asked.down;
+    segment.steps = asked.steps;
+    std::vector<std::string> names;
+    for (const auto& [field, row] : table.bus) names.push_back(row);
+    for (const RowValues& of : asked.rows) {
+        if (std::find(names.begin(), names.end(), of.row) == names.end()) {
+            throw UsageError(
+                fmt::format("--row {}: {} takes {}", of.row, table.name, fmt::join(names, ", ")));
+        }
+        const std::size_t count = table.rows.at(of.row).of_axis ? 3 : 1;
+        if (of.values.size() != count) {
+            throw UsageError(fmt::format("--row {}: expected {} values, not {}", of.row, count,
+                                         of.values.size()));
+        }
+        std::copy(of.values.begin(), of.values.end(), segment.values[of.row].begin());
+    }
+    for (const std::string& row : names) {
+        if (segment.values.count(row) == 0) {
+            throw UsageError(fmt::format("--row {}=..: {} needs its value", row, table.name));
+        }
+    }
+    return segment;
+}
+
+/// Memory and clocks of the engine for the curve alone.
+std::string engine_text(const ref::CurveTable& table, const CoreParameters& core) {
+    assembler::Assembly assembly(assembler::StoreSize{4096, 512, 2});
+    assembly.from({table.name, 0, ""});
+    assembly.label("idle");
+    assembly.branch("idle");
+    assembly.label("after");
+    try {
+        assembler::assemble_curves({table}, core, assembly, "idle", "idle");
+        assembly.finish();
+    } catch (const assembler::AssemblyError& error) {
+        return fmt::format("engine: does not draw it: {}\n", error.what());
+    }
+    const auto clocks = [&](const char* part) {
+        return assembler::worst_case(assembly, table.name + "_" + part, {"idle"});
+    };
+    return fmt::format("engine: {} instructions; {} clocks a segment, {} a step, {} a sample\n",
+                       assembly.placed().size() - 1, clocks("load"), clocks("step"),
+                       clocks("sample"));
+}
+
+std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
+                      const ref::TableError* bound) {
+    const auto orders = ref::order_demand(table, core.order, core.polynomial());
+    std::string text = fmt::format("{:<16} {:>8} {:>10} {:>7}{}\n", "row", "bits", "range",
+                                   "orders", bound != nullptr ? "    largest  spare bits" : "");
+    for (const auto& [name, row] : table.rows) {
+        if (row.line == 0) continue;  // no line's: tau, and the place in the step
+        const double range = std::ldexp(1.0, -1 - row.fraction);
+        const auto order = orders.find(name);
+        text += fmt::format("{:<16} {:>8} {:>10} {:>7}", name + (row.of_axis ? "[k]" : ""),
+                            core.coef_bits + row.fraction, fmt::format("+-{:g}", range),
+                            order == orders.end() ? 0 : order->second);
+        if (bound != nullptr) {
+            const double largest = bound->largest.at(name);
+            text +=
+                fmt::format(" {:>10.4g} {:>11}", largest,
+                            largest > 0 ? fmt::format("{:.1f}", std::log2(range / largest)) : "-");
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+int curve_command(CurveOptions& asked) {
+    const ref::CurveTable table = ref::read_curve_table(asked.file);
+    CoreParameters core;
+    core.aux_axes = 0;
+    for (const ParameterList& list : asked.set) list.set(core);
+    const std::string title = fmt::format("{}: {}\n", table.name, table.title);
+    if (asked.rows.empty()) {
+        fmt::print("{}{}{}", title, rows_text(table, core, nullptr), engine_text(table, core));
+        return 0;
+    }
+    const ref::TableError bound = ref::table_error(table, core, segment_of(table, asked));
+    fmt::print("{}{}{}", title, rows_text(table, core, &bound), engine_text(table, core));
+    for (const std::string& row : bound.beyond) {
+        const int fraction = table.rows.at(row).fraction;
+        const double more = std::log2(bound.largest.at(row)) + 1 + fraction;
+        fmt::print(stderr,
+                   "{}:{}: error: {} leaves its range: it needs a fraction of {}, not {:+}, or a "
+                   "shorter step\n",
+                   table.file, table.rows.at(row).line, row,
+                   fraction - static_cast<int>(std::floor(more)) - 1, fraction);
+    }
+    if (!bound.beyond.empty()) return 1;
+    fmt::print(
+        "error: {:.4g} length units at most on any axis, before rounding, in {} step{} of "
+        "2^{} units\n",
+        bound.worst(), asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
+    return 0;
+}
+
+}  // namespace
+
+void add_curve(CLI::App& app, int& status) {
+    auto [command, asked] = add_command(
+        app, status, "curve", "a curve's table: its rows, its cost, its error", curve_command);
+    begin_group(command, group::kInput);
+    add_choice(command, "ACTION", asked.action, kCurveActions,
+               "{}: its rows, what the engine needs, "
+               "and with --row the bound of a segment")
+        ->required();
+    add_text(command, "FILE", asked.file, "FILE.net", "the table")->required();
+    begin_group(command, group::kCore);
+    add_values(command, "--set", asked.set, "NAME=VALUE", "a parameter of the core",
+               [](const std::string&, const std::string& text) { return single_parameter(text); });
+    begin_group(command, group::kPlan);
+    add_values(command, "--row", asked.rows, "ROW=VALUE",
+               "a row of the bus in the segment, ROW=X,Y,Z where it has axes; once for each row",
+               row_values);
+    add_value(command, "--step-exponent", asked.step_exponent, "K", "a step is 2^K length units",
+              whole_in(0, 27))
+        ->default_val("20");
+    add_value(command, "--down", asked.down, "S", "scale of the segment over that of a step, 2^S",
+              whole_in(0, 27))
+        ->default_val("0");
+    add_value(command, "--steps", asked.steps, "N", "steps of the segment", whole_in(1, 1000))
+        ->default_val("1");
+    command.footer("Exit status: 0; 1 a row leaves its range; 2 the input is wrong.");
+}
+
+}  // namespace curvecore::sysc
