@@ -20,7 +20,7 @@ class CurveCommand : public testing::Test {
         program_.write("c.net", table_);
     }
 
-    ProgramResult check(const Arguments& more, const char* kappa = "kappa=0.05") const {
+    ProgramResult check(const Arguments& more, const char* kappa = "kappa=0.05,0.05,0.05") const {
         Arguments all{"curve",   "check", "c.net", "--row", "T=1,0,0",    "--row",
                       "N=0,1,0", "--row", kappa,   "--row", "sigma=0.001"};
         all.insert(all.end(), more.begin(), more.end());
@@ -66,9 +66,9 @@ TEST_F(CurveCommand, BoundsASegment) {
 }
 
 TEST_F(CurveCommand, NamesARowThatLeavesItsRange) {
-    const ProgramResult result = check({}, "kappa=0.3");
+    const ProgramResult result = check({}, "kappa=0.3,0.3,0.3");
     EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("c.net:5: error: kappa leaves its range: it needs a fraction of 0, "
+    EXPECT_NE(result.err.find("c.net:6: error: kappa leaves its range: it needs a fraction of 0, "
                               "not +1, or a shorter step\n"),
               std::string::npos)
         << result.err;
@@ -82,14 +82,14 @@ TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
         return all;
     };
     EXPECT_EQ(refusal(of({"--row", "w=1"})),
-              "curvecore: error: --row w: clothoid takes sigma, N, T, kappa\n");
+              "curvecore: error: --row w: clothoid takes kappa, N, T, sigma\n");
     EXPECT_EQ(refusal(of({"--row", "T=1"})),
               "curvecore: error: --row T: expected 3 values, not 1\n");
     EXPECT_EQ(refusal(of({"--row", "T=1,0,0"})),
-              "curvecore: error: --row sigma=..: clothoid needs its value\n");
-    EXPECT_EQ(refusal(of({"--row", "kappa=much"})),
+              "curvecore: error: --row kappa=..: clothoid needs its value\n");
+    EXPECT_EQ(refusal(of({"--row", "sigma=much"})),
               "curvecore: error: --row 'much': not a number\n");
-    EXPECT_EQ(refusal(of({"--row", "kappa=nan"})), "curvecore: error: --row 'nan': not a number\n");
+    EXPECT_EQ(refusal(of({"--row", "sigma=nan"})), "curvecore: error: --row 'nan': not a number\n");
     EXPECT_EQ(refusal(of({"--steps", "0"})), "curvecore: error: --steps must be in [1, 1000]\n");
     EXPECT_EQ(refusal({"curve", "draw", "c.net"}),
               "curvecore: error: ACTION 'draw': must be one of check\n");
@@ -97,11 +97,11 @@ TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
 }
 
 TEST_F(CurveCommand, NamesALineThatIsWrong) {
-    program_.write("c.net", table_ + "  kapa : +1 = kappa.0 + kapa\n");
-    EXPECT_EQ(refusal({"curve", "check", "c.net"}), "c.net:22: error: no line before makes kapa\n");
-    program_.write("c.net", table_ + "  fine : -2 = 1/2048 kappa.0*sigma\n");
+    program_.write("c.net", table_ + "  kapa[k] : +1 = kappa[k].0 + kapa[k]\n");
+    EXPECT_EQ(refusal({"curve", "check", "c.net"}), "c.net:23: error: no line before makes kapa\n");
+    program_.write("c.net", table_ + "  fine : -2 = 1/2048 sigma*sigma\n");
     const ProgramResult result = program_.run({"curve", "check", "c.net"});
-    EXPECT_NE(result.out.find("engine: does not draw it: c.net:22: error: a product over 2^"),
+    EXPECT_NE(result.out.find("engine: does not draw it: c.net:23: error: a product over 2^"),
               std::string::npos)
         << result.out << result.err;
 }

@@ -51,7 +51,8 @@ const std::map<std::string, std::vector<const char*>> kExamples{
       "part.ngc --segment-queue 512,1024 --profile-queue 256,512 -o short"}},
     {"curve",
      {"check ref/curves/clothoid.net", "check ref/curves/spline.net --set Order=9",
-      "check ref/curves/clothoid.net --row T=1,0,0 --row N=0,1,0 --row kappa=0.05 --row sigma=0"}},
+      "check ref/curves/clothoid.net --row T=1,0,0 --row N=0,1,0 --row kappa=0.05,0.05,0.05 --row "
+      "sigma=0"}},
 };
 
 std::string examples_of(const std::string& command) {

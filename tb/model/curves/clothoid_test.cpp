@@ -40,8 +40,8 @@ struct Clothoid {
         for (int axis = 0; axis < 3; ++axis) {
             machine.set("T", tangent[axis], axis);
             machine.set("N", normal[axis], axis);
+            machine.set("kappa", kappa, axis);
         }
-        machine.set("kappa", kappa);
         machine.set("sigma", sigma);
         machine.load(start, k, k);
     }
@@ -132,8 +132,8 @@ double share_of_bound(const sysc::CoreParameters& core, const Clothoid& curve,
     for (int axis = 0; axis < 3; ++axis) {
         segment.values["T"][axis] = number(curve.tangent[axis]);
         segment.values["N"][axis] = number(curve.normal[axis]);
+        segment.values["kappa"][axis] = number(curve.kappa);
     }
-    segment.values["kappa"] = {number(curve.kappa), 0, 0};
     segment.values["sigma"] = {number(curve.sigma), 0, 0};
     const ref::TableError bound = ref::table_error(table(), core, segment);
     EXPECT_TRUE(bound.beyond.empty());
@@ -234,11 +234,11 @@ class MicrocodeOfClothoid {
         const int fine = assembler::fine_scale(core_).fine;
         scale("tau_scale", hls::kMaxStepExponent - curve.k);
         scale("fine_scale", fine + curve.k);
-        engine_.set("theta", word(curve.kappa, core_.coef_bits + 1));
-        engine_.set("advance", word(curve.sigma, core_.coef_bits + 1));
+        engine_.set("theta", word(curve.sigma, core_.coef_bits + 1));
         for (int axis = 0; axis < 3; ++axis) {
             engine_.set("start[k]", word(curve.start[axis], core_.guard_bits), axis);
             engine_.set("tangent[k]", word(curve.tangent[axis], core_.coef_bits - 2), axis);
+            engine_.set("advance[k]", word(curve.kappa, core_.coef_bits + 1), axis);
             engine_.set("normal[k]", word(curve.normal[axis], core_.coef_bits - 2), axis);
         }
     }

@@ -2,26 +2,20 @@
 // Tables of arc and spline, run in words: the kernels' words, bit for bit, in every configuration
 // of tb/configurations.csv. A line that is left out, or a sign or a fraction that is changed, is
 // seen.
-#include "ref/curves/table_machine.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "ref/text/input_error.hpp"
-#include "sysc/curves/table_words.hpp"
+#include "sysc/curves/table_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 
 namespace curvecore::tb {
 namespace {
-
-namespace mp = boost::multiprecision;
-using Real = mp::number<mp::cpp_bin_float<113, mp::digit_base_2>, mp::et_off>;
-using Machine = ref::TableMachine<Real, sysc::TableWords<Real>>;
 
 std::string text_of(const CurveCase& of) {
     const std::string name = of.spline ? "spline" : "arc";
@@ -52,75 +46,47 @@ class Comparison {
   public:
     Comparison(const CurveCase& of, const ref::CurveTable& table)
         : of_(of),
-          table_(table),
-          machine_(table, of.core.order, of.core.polynomial(),
-                   {of.core.coef_bits, of.core.guard_bits}),
+          format_(of.core, of.core.axes(), &ranges_),
+          drawn_(table, format_),
           ranges_(of.core.coef_bits) {}
 
     int segment(std::mt19937_64& random, int steps, int samples) {
-        return of_.spline ? drawn<SplineWords>(random, steps, samples)
-                          : drawn<ArcWords>(random, steps, samples);
+        return of_.spline ? compare<SplineWords>(random, steps, samples)
+                          : compare<ArcWords>(random, steps, samples);
     }
 
   private:
     template <class Kernel>
-    int drawn(std::mt19937_64& random, int steps, int samples) {
+    int compare(std::mt19937_64& random, int steps, int samples) {
         const sysc::RunSegment words = random_segment(of_, random);
-        Kernel kernel(sysc::RunTimeFormat(of_.core, of_.core.axes(), &ranges_));
+        Kernel kernel(format_);
         kernel.load(words);
-        load(words);
+        drawn_.load(words);
         int differ = 0;
         for (int step = 0; step < steps; ++step) {
             if (step > 0) {
                 kernel.step();
-                machine_.step();
+                drawn_.step();
             }
             kernel.series(of_.core.order, [&](const char* row, int axis, int i, std::int64_t word) {
-                const int bits = of_.core.coef_bits + table_.rows.at(row).fraction;
-                differ += ldexp(machine_.value(row, i, axis), bits) == Real(word) ? 0 : 1;
+                differ += drawn_.word(row, i, axis) == word ? 0 : 1;
             });
             for (int sample = 0; sample < samples; ++sample) {
                 const int bits = words.step_exponent + hls::kPathFrac;
                 const std::uint64_t sigma = sample == 0 ? 0 : random() % (std::uint64_t{1} << bits);
                 std::int64_t fine[sysc::kMostAxes];
+                std::int64_t of_table[3];
                 kernel.sample(static_cast<std::int64_t>(sigma), fine);
-                const auto at = machine_.sample(tau(sigma, bits));
-                for (int axis = 0; axis < 3; ++axis) {
-                    differ += ldexp(at[axis], of_.core.guard_bits) == Real(fine[axis]) ? 0 : 1;
-                }
+                drawn_.sample(static_cast<std::int64_t>(sigma), of_table);
+                for (int axis = 0; axis < 3; ++axis) differ += fine[axis] == of_table[axis] ? 0 : 1;
             }
         }
         return differ;
     }
 
-    /// The part of a step, cut to a word.
-    Real tau(std::uint64_t sigma, int bits) const {
-        const int unit = of_.core.coef_bits - 1;
-        return ldexp(floor(ldexp(Real(sigma), unit - bits)), -unit);
-    }
-
-    void load(const sysc::RunSegment& words) {
-        const auto set = [&](const char* field, const std::int64_t* values, int count) {
-            const std::string& row = table_.bus.at(field);
-            const int bits = of_.core.coef_bits + table_.rows.at(row).fraction;
-            for (int axis = 0; axis < count; ++axis) {
-                machine_.set(row, ldexp(Real(values[axis]), -bits), axis);
-            }
-        };
-        set("theta", &words.theta, 1);
-        set("tangent", words.tangent, 3);
-        set("normal", words.normal, 3);
-        set("advance", words.advance, 3);
-        Machine::Axes start;
-        for (int axis = 0; axis < 3; ++axis) {
-            start[axis] = ldexp(Real(words.start[axis]), -of_.core.guard_bits);
-        }
-        machine_.load(start, words.step_exponent, words.lambda);
-    }
-
     CurveCase of_;
-    const ref::CurveTable& table_;
-    Machine machine_;
+    sysc::RunTimeFormat format_;
+    sysc::TableKernel drawn_;
     sysc::ValueRanges ranges_;
 };
 
