@@ -200,7 +200,7 @@ core_tests(motion_interpolator TOP motion_interpolator PORTS motion
            PARAMS SegmentQueueWords=4096 ProfileQueueWords=512)
 
 # Build 2 with microcode that is not its own, or not as it was made.
-bench_objects(microcode)
+bench_objects(microcode TESTS microcode table_microcode)
 target_link_libraries(bench_microcode PUBLIC curvecore_assembler)
 target_compile_definitions(bench_microcode PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")
 core_test(microcode b2 TOP motion_interpolator PORTS motion

@@ -50,12 +50,17 @@ StoreSize motion_store(const ref::CoreParameters& core) {
 
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
                         const std::string& tree, int rate_bits) {
+    std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
+    if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
+    return motion_program(tables, core, queues, tree, rate_bits);
+}
+
+Assembly motion_program(const std::vector<ref::CurveTable>& tables, const ref::CoreParameters& core,
+                        const QueueWords& queues, const std::string& tree, int rate_bits) {
     Assembly assembly(motion_store(core));
     define_words(core, queues.segments, queues.profile, assembly, rate_bits);
     assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
     assemble_source(tree + "/rtl/engine/programs/reset.asm", assembly);
-    std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
-    if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
     assemble_follow(tree + "/rtl/engine/programs", tables, core, assembly);
     if (rate_bits == 0) {
         put_sample(core, assembly);

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "ref/curves/curve_table.hpp"
 #include "ref/format/parameters.hpp"
 #include "rtl/engine/assembler/assembly.hpp"
 
@@ -24,5 +26,9 @@ StoreSize motion_store(const ref::CoreParameters& core);
 /// @throws AssemblyError
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
                         const std::string& tree, int rate_bits = 0);
+
+/// The same of other curves: that of arcs' segments, and that of splines', if the core has them.
+Assembly motion_program(const std::vector<ref::CurveTable>& tables, const ref::CoreParameters& core,
+                        const QueueWords& queues, const std::string& tree, int rate_bits = 0);
 
 }  // namespace curvecore::assembler

@@ -264,12 +264,17 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         rate_ = rate;
     }
 
+    /// Sets the fine position that the next sample has, `ds` quanta on.
+    virtual void draw(int64_t ds, int64_t (&fine)[kMostAxes]) {
+        kernel_.sample(
+            ds, [this] { return next_segment(); }, fine);
+    }
+    const RunSegment& next_segment() { return segments_.at(next_segment_++); }
+
     void check_sample() {
         ASSERT_LT(samples_, static_cast<int64_t>(moves_.size())) << "a sample before its move";
         int64_t fine[kMostAxes];
-        kernel_.sample(
-            moves_[static_cast<std::size_t>(samples_)],
-            [this] { return segments_.at(next_segment_++); }, fine);
+        draw(moves_[static_cast<std::size_t>(samples_)], fine);
         for (int axis = 0; axis < core_.axes(); ++axis) {
             ASSERT_EQ(dut_->sample_fine_o[axis], fine[axis])
                 << "sample " << samples_ << " axis " << axis;
