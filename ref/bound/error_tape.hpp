@@ -116,9 +116,7 @@ struct TracedWords {
     TracedNumber nearest(const TracedNumber& sum, int bits) const {
         if (sum.bits <= bits) return sum;
         const double half = std::ldexp(0.5, -bits);
-        const double largest = std::abs(sum.value) + sum.error;
-        const double own = largest < half ? std::abs(sum.value) : half;
-        return {sum.value, sum.error + own, bits, tape, tape->add(own, sum.node, 1)};
+        return {sum.value, sum.error + half, bits, tape, tape->add(half, sum.node, 1)};
     }
 };
 

@@ -26,13 +26,16 @@ Eigen::MatrixXd ErrorTape::sweep(const std::vector<int>& outputs) const {
 
 double TableError::worst() const {
     double most = 0;
-    for (const auto& step : errors) most = std::max({most, step[0], step[1], step[2]});
+    for (const auto& step : errors) {
+        for (const double error : step) most = error <= most ? most : error;  // not a number stays
+    }
     return most;
 }
 
 namespace {
 
 constexpr int kOrdersMore = 8;
+constexpr int kHalfOfThem = 4;
 constexpr int kPlacesPerDegree = 4;
 
 /// Degree of each row of `sample` as a polynomial in tau.
@@ -51,11 +54,11 @@ int degree_of_samples(const CurveTable& table, int order, bool by_lines) {
         }
         degrees[line.row] = most;
     }
-    return degrees["d"];
+    return std::max(1, degrees["d"]);
 }
 
 /// Places of a step from which a polynomial of so many degrees is known everywhere in it: it is at
-/// most `beyond` times the largest of its values there.
+/// most `factor` times the largest of its values there.
 ///
 /// Source: H. Ehlich, K. Zeller, Schwankung von Polynomen zwischen Gitterpunkten, Mathematische
 /// Zeitschrift 86, 1964.
@@ -64,10 +67,10 @@ struct Places {
         const int count = kPlacesPerDegree * degree;
         for (int n = 0; n < count; ++n)
             at.push_back((1 + std::cos((2 * n + 1) * kTurnRadians / (4 * count))) / 2);
-        beyond = 1 / std::cos(degree * kTurnRadians / (4 * count));
+        factor = 1 / std::cos(degree * kTurnRadians / (4 * count));
     }
     std::vector<double> at;
-    double beyond = 1;
+    double factor = 1;
 };
 
 /// A row's axis, or that of a position, which is carried from step to step.
@@ -88,7 +91,8 @@ class TableWalk {
           by_lines_(table.samples_by_lines(core.polynomial())),
           places_(degree_of_samples(table, core.order, by_lines_)),
           places_of_rest_(degree_of_samples(table, core.order + kOrdersMore, by_lines_)),
-          cut_(table, core.order, core.polynomial()),
+          short_(table, core.order, core.polynomial()),
+          half_(table, core.order + kHalfOfThem, core.polynomial()),
           whole_(table, core.order + kOrdersMore, core.polynomial()),
           words_(table, core.order, core.polynomial(), {core.coef_bits, core.guard_bits, &tape_}) {
         for (const auto& [name, row] : table.rows) {
@@ -102,14 +106,16 @@ class TableWalk {
         for (const auto& [row, values] : segment.values) {
             for (int axis = 0; axis < 3; ++axis) {
                 whole_.set(row, values[axis], axis);
+                half_.set(row, values[axis], axis);
                 const double scaled = std::floor(std::ldexp(values[axis], bits(row)) + 0.5);
                 const double word = std::ldexp(scaled, -bits(row));
-                cut_.set(row, word, axis);
+                short_.set(row, word, axis);
                 words_.set(row, {word}, axis);
             }
         }
         whole_.load({0, 0, 0}, segment.k, segment.lambda);
-        cut_.load({0, 0, 0}, segment.k, segment.lambda);
+        half_.load({0, 0, 0}, segment.k, segment.lambda);
+        short_.load({0, 0, 0}, segment.k, segment.lambda);
         words_.begin({}, segment.k, segment.lambda);
         // The start's position is a word, and the first step's.
         errors_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(carried_.size()), 3);
@@ -122,7 +128,8 @@ class TableWalk {
         for (int step = 0; step < segment_.steps; ++step) {
             if (step > 0) {
                 whole_.step();
-                cut_.step();
+                half_.step();
+                short_.step();
             }
             trace(step + 1 < segment_.steps ? 1 : segment_.last, step + 1 < segment_.steps);
         }
@@ -150,12 +157,12 @@ class TableWalk {
         const std::vector<int> from = inputs();
         words_.open();
         std::vector<int> to;
-        const double cut = std::ldexp(1.0, 1 - core_.coef_bits);  // of tau
         const bool cuts = segment_.k + kPathFrac > core_.coef_bits - 1;
+        const double tau_cut = cuts ? std::ldexp(1.0, 1 - core_.coef_bits) : 0;
         for (const double place : places_.at) {
-            const int tau = tape_.add(cuts ? cut : 0);
+            const int tau = tape_.add(tau_cut);
             for (const TracedNumber& at :
-                 words_.sample({place * part, cuts ? cut : 0, core_.coef_bits - 1, &tape_, tau})) {
+                 words_.sample({place * part, tau_cut, core_.coef_bits - 1, &tape_, tau})) {
                 to.push_back(at.node);
             }
         }
@@ -193,15 +200,18 @@ class TableWalk {
         }
         std::array<double, 3> rest{};
         for (const double place : places_of_rest_.at) {
-            const auto cut = cut_.sample(place * part);
+            const auto drawn = short_.sample(place * part);
+            const auto half = half_.sample(place * part);
             const auto whole = whole_.sample(place * part);
             for (int axis = 0; axis < 3; ++axis) {
-                rest[axis] = std::max(rest[axis], std::abs(cut[axis] - whole[axis]));
+                const double sum =
+                    std::abs(drawn[axis] - whole[axis]) + std::abs(half[axis] - whole[axis]);
+                rest[axis] = sum <= rest[axis] ? rest[axis] : sum;
             }
         }
         std::array<double, 3> sum{};
         for (int axis = 0; axis < 3; ++axis) {
-            sum[axis] = rounding[axis] * places_.beyond + rest[axis] * places_of_rest_.beyond;
+            sum[axis] = rounding[axis] * places_.factor + rest[axis] * places_of_rest_.factor;
         }
         result_.errors.push_back(sum);
     }
@@ -235,8 +245,9 @@ class TableWalk {
     Places places_;
     Places places_of_rest_;
     ErrorTape tape_;
-    TableMachine<double> cut_;    // the core's orders, no rounding
-    TableMachine<double> whole_;  // more orders, from exact values
+    TableMachine<double> short_;  // the core's orders, no rounding
+    TableMachine<double> half_;   // more orders, from exact values
+    TableMachine<double> whole_;  // and more
     TableMachine<TracedNumber, TracedWords> words_;
     std::vector<Carried> carried_;
     Eigen::MatrixXd errors_;  // of what is carried, by independent errors
@@ -247,7 +258,15 @@ class TableWalk {
 
 TableError table_error(const CurveTable& table, const CoreParameters& core,
                        const TableSegment& segment) {
-    return TableWalk(table, core, segment).result();
+    TableError beyond;
+    for (const auto& [row, values] : segment.values) {
+        double& largest = beyond.largest[row];
+        for (const double value : values) largest = std::max(largest, std::abs(value));
+        if (largest >= std::ldexp(1.0, -1 - table.rows.at(row).fraction)) {
+            beyond.beyond.push_back(row);
+        }
+    }
+    return beyond.beyond.empty() ? TableWalk(table, core, segment).result() : beyond;
 }
 
 }  // namespace curvecore::ref

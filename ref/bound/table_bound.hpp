@@ -24,9 +24,10 @@ struct TableSegment {
 
 /// | field   | unit         | meaning                                                            |
 /// |---------|--------------|--------------------------------------------------------------------|
-/// | errors  | length units | bound of each axis in each step, before the rounding of positions  |
-/// | largest |              | largest magnitude of each row, its error counted                   |
-/// | beyond  |              | rows that may leave the range of their words; if any, no bound is  |
+/// | errors  | length units | bound of each axis in each step, before the final rounding         |
+/// | largest |              | largest magnitude of each row that is made, its error counted; of   |
+/// |         |              | `sample` at those places                                           |
+/// | beyond  |              | rows that may leave their range: if there are any, nothing is bound |
 struct TableError {
     std::vector<std::array<double, 3>> errors;
     std::map<std::string, double> largest;
@@ -37,8 +38,9 @@ struct TableError {
 
 /// Follows all roundings through the segment: what is carried from step to step is a matrix of
 /// independent errors. What the series leave out is the difference to the same table with 8 orders
-/// more, in double precision. Both are polynomials in tau, known from as many places of a step as
-/// bound them everywhere in it.
+/// more, in double precision, and once more by how much that differs from 4 orders more: enough for
+/// series whose coefficients shrink by a sixth an order. All are polynomials in tau, known from as
+/// many places of a step as bound them everywhere in it.
 TableError table_error(const CurveTable& table, const CoreParameters& core,
                        const TableSegment& segment);
 

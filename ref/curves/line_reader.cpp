@@ -102,7 +102,8 @@ void factor(Scanner& scan, TableTerm& term) {
     if (!scan.at_digit()) {
         return;
     }
-    term.number *= scan.number();
+    const int number = scan.number();
+    term.number *= number;
     if (scan.take("/")) {
         const int below = scan.number();
         if (below == 0 || (below & (below - 1)) != 0) {
@@ -115,6 +116,8 @@ void factor(Scanner& scan, TableTerm& term) {
     Scanner ahead = scan;
     if (ahead.at_end() || ahead.take("+") || ahead.take("-")) {
         term.meeting = Meeting::kConstant;
+    } else if (number == 0) {
+        scan.refuse("a factor is not 0");
     }
 }
 

@@ -166,6 +166,7 @@ class TableMachine {
     }
 
     void run(const TableLine& line, int i) {
+        if (line.order.value_or(i) > order_) return;
         Row& row = rows_.at(line.row);
         const auto order = static_cast<std::size_t>(line.order.value_or(i));
         Axes made{};
@@ -240,7 +241,8 @@ class TableMachine {
         const RowOperand of = same_row(table_, operand);
         const CurveRow& row = table_.rows.at(of.row);
         const int order = row.series ? of.order.value_or(i) - of.primes : 0;
-        return order < 0 ? Number(0) : value(of.row, order, row.of_axis ? axis : 0);
+        return order < 0 || order > order_ ? Number(0)
+                                           : value(of.row, order, row.of_axis ? axis : 0);
     }
 
     const CurveTable& table_;

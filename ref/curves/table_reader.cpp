@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/curves/table_reader.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "ref/curves/line_reader.hpp"
@@ -9,7 +10,8 @@
 namespace curvecore::ref {
 namespace {
 
-const std::set<std::string> kSections{"load", "anchor", "order", "next", "sample"};
+const std::vector<std::string> kSections{"load", "anchor", "order", "next", "sample"};
+constexpr int kMostOrder = 12;
 const std::set<std::string> kFields{"theta", "tangent", "normal", "advance"};
 
 class Reader {
@@ -20,7 +22,12 @@ class Reader {
         std::istringstream words(text);
         std::string key;
         words >> key;
-        if (kSections.count(key) != 0 && text == key) {
+        const auto section = std::find(kSections.begin(), kSections.end(), key);
+        if (section != kSections.end() && text == key) {
+            if (!section_.empty() &&
+                section < std::find(kSections.begin(), kSections.end(), section_)) {
+                place.refuse("`" + key + "` stands before `" + section_ + "`");
+            }
             section_ = key;
             return;
         }
@@ -161,6 +168,9 @@ class Reader {
         if ((read.primes != 0 || read.order) && !of.series) {
             place.refuse(read.row + " has no orders");
         }
+        if (section_ == "load" && (of.start || of.series)) {
+            place.refuse(read.row + " is no word of the segment: `load` is made once");
+        }
     }
 
     void add_line(TableLine line, const Place& place) {
@@ -187,6 +197,13 @@ class Reader {
                 known(line.variable, place);
             }
         }
+        if (line.function != TableLine::Function::kTerms &&
+            line.function != TableLine::Function::kSum && !line.terms.empty()) {
+            place.refuse("a polynomial takes no other term");
+        }
+        if (line.order.value_or(0) > kMostOrder) {
+            place.refuse("an order above " + std::to_string(kMostOrder));
+        }
         if (line.down != 0 && (line.terms.size() != 1 || !line.terms[0].b.row.empty())) {
             place.refuse(">> s takes one row");
         }
@@ -196,6 +213,8 @@ class Reader {
             made.fraction = line.fraction;
             made.of_axis = line.of_axis;
             made.line = place.line;
+        } else if (section_ == "next" && !made.start && made_before(line.row)) {
+            place.refuse(line.row + " is made in each step, and carried: it needs `start`");
         }
         if (made.word || made.same_as || (made.value && !made.start)) {
             place.refuse(line.row + " is fixed: no line makes it");
@@ -210,6 +229,16 @@ class Reader {
         }
         made.series |= section_ == "order" || line.order.has_value();
         table_.sections[section_].push_back(std::move(line));
+    }
+
+    /// Returns whether a section before `next` makes a row.
+    bool made_before(const std::string& row) const {
+        const auto makes = [&](const char* section) {
+            const auto& lines = table_.section(section);
+            return std::any_of(lines.begin(), lines.end(),
+                               [&](const TableLine& line) { return line.row == row; });
+        };
+        return makes("load") || makes("anchor") || makes("order");
     }
 
     bool on_bus(const std::string& name) const {

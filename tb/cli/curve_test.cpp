@@ -68,11 +68,13 @@ TEST_F(CurveCommand, BoundsASegment) {
 TEST_F(CurveCommand, NamesARowThatLeavesItsRange) {
     const ProgramResult result = check({}, "kappa=0.3,0.3,0.3");
     EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("c.net:6: error: kappa leaves its range: it needs a fraction of 0, "
+    EXPECT_NE(result.err.find("c.net:6: error: kappa leaves its range: it needs a fraction of +0, "
                               "not +1, or a shorter step\n"),
               std::string::npos)
         << result.err;
     EXPECT_EQ(result.out.find("\nerror: "), std::string::npos) << "no bound";
+    EXPECT_NE(check({}, "kappa=1e300,0,0").err.find("kappa leaves its range: no fraction holds it"),
+              std::string::npos);
 }
 
 TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
@@ -90,7 +92,13 @@ TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
     EXPECT_EQ(refusal(of({"--row", "sigma=much"})),
               "curvecore: error: --row 'much': not a number\n");
     EXPECT_EQ(refusal(of({"--row", "sigma=nan"})), "curvecore: error: --row 'nan': not a number\n");
-    EXPECT_EQ(refusal(of({"--steps", "0"})), "curvecore: error: --steps must be in [1, 1000]\n");
+    EXPECT_EQ(refusal(of({"--row", "sigma=0", "--row", "sigma=0"})),
+              "curvecore: error: --row sigma: it has two values\n");
+    EXPECT_EQ(refusal(of({"--steps", "0"})), "curvecore: error: --steps must be in [1, 100]\n");
+    EXPECT_EQ(refusal(of({"--steps", "4"})), "curvecore: error: --steps requires --row\n");
+    EXPECT_EQ(refusal(of({"--set", "Anchor=0"})),
+              "curvecore: error: --set Anchor: a table's words depend on Order, CoefBits, "
+              "PositionBits, GuardBits, Mode alone\n");
     EXPECT_EQ(refusal({"curve", "draw", "c.net"}),
               "curvecore: error: ACTION 'draw': must be one of check\n");
     EXPECT_EQ(refusal({"curve", "check", "none.net"}).substr(0, 9), "none.net:");
@@ -101,6 +109,7 @@ TEST_F(CurveCommand, NamesALineThatIsWrong) {
     EXPECT_EQ(refusal({"curve", "check", "c.net"}), "c.net:23: error: no line before makes kapa\n");
     program_.write("c.net", table_ + "  fine : -2 = 1/2048 sigma*sigma\n");
     const ProgramResult result = program_.run({"curve", "check", "c.net"});
+    EXPECT_EQ(result.status, 0) << "others may draw it";
     EXPECT_NE(result.out.find("engine: does not draw it: c.net:23: error: a product over 2^"),
               std::string::npos)
         << result.out << result.err;

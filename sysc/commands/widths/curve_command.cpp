@@ -78,6 +78,9 @@ ref::TableSegment segment_of(const ref::CurveTable& table, const CurveOptions& a
     std::vector<std::string> names;
     for (const auto& [field, row] : table.bus) names.push_back(row);
     for (const RowValues& of : asked.rows) {
+        if (segment.values.count(of.row) != 0) {
+            throw UsageError(fmt::format("--row {}: it has two values", of.row));
+        }
         if (std::find(names.begin(), names.end(), of.row) == names.end()) {
             throw UsageError(
                 fmt::format("--row {}: {} takes {}", of.row, table.name, fmt::join(names, ", ")));
@@ -124,28 +127,46 @@ std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
     std::string text = fmt::format("{:<16} {:>8} {:>10} {:>7}{}\n", "row", "bits", "range",
                                    "orders", bound != nullptr ? "    largest  spare bits" : "");
     for (const auto& [name, row] : table.rows) {
-        if (row.line == 0) continue;  // no line's: tau, and the place in the step
+        if (row.line == 0 || row.same_as) continue;  // no line makes tau, nor what has another name
         const double range = std::ldexp(1.0, -1 - row.fraction);
         const auto order = orders.find(name);
         text += fmt::format("{:<16} {:>8} {:>10} {:>7}", name + (row.of_axis ? "[k]" : ""),
                             core.coef_bits + row.fraction, fmt::format("+-{:g}", range),
                             order == orders.end() ? 0 : order->second);
         if (bound != nullptr) {
-            const double largest = bound->largest.at(name);
-            text +=
-                fmt::format(" {:>10.4g} {:>11}", largest,
-                            largest > 0 ? fmt::format("{:.1f}", std::log2(range / largest)) : "-");
+            const auto found = bound->largest.find(name);
+            const double largest = found == bound->largest.end() ? 0 : found->second;
+            text += largest > 0
+                        ? fmt::format(" {:>10.4g} {:>11.1f}", largest, std::log2(range / largest))
+                        : fmt::format(" {:>10} {:>11}", "-", "-");
         }
         text += "\n";
     }
     return text;
 }
 
-int curve_command(CurveOptions& asked) {
-    const ref::CurveTable table = ref::read_curve_table(asked.file);
+constexpr int kLeastFraction = -16;
+
+/// Parameters that a table's words depend on.
+constexpr std::array<std::string_view, 5> kOfTables{"Order", "CoefBits", "PositionBits",
+                                                    "GuardBits", "Mode"};
+
+CoreParameters core_of(const CurveOptions& asked) {
     CoreParameters core;
     core.aux_axes = 0;
-    for (const ParameterList& list : asked.set) list.set(core);
+    for (const ParameterList& list : asked.set) {
+        if (std::find(kOfTables.begin(), kOfTables.end(), list.row->name) == kOfTables.end()) {
+            throw UsageError(fmt::format("--set {}: a table's words depend on {} alone",
+                                         list.row->name, fmt::join(kOfTables, ", ")));
+        }
+        list.set(core);
+    }
+    return core;
+}
+
+int curve_command(CurveOptions& asked) {
+    const ref::CurveTable table = ref::read_curve_table(asked.file);
+    const CoreParameters core = core_of(asked);
     const std::string title = fmt::format("{}: {}\n", table.name, table.title);
     if (asked.rows.empty()) {
         fmt::print("{}{}{}", title, rows_text(table, core, nullptr), engine_text(table, core));
@@ -155,16 +176,18 @@ int curve_command(CurveOptions& asked) {
     fmt::print("{}{}{}", title, rows_text(table, core, &bound), engine_text(table, core));
     for (const std::string& row : bound.beyond) {
         const int fraction = table.rows.at(row).fraction;
-        const double more = std::log2(bound.largest.at(row)) + 1 + fraction;
-        fmt::print(stderr,
-                   "{}:{}: error: {} leaves its range: it needs a fraction of {}, not {:+}, or a "
-                   "shorter step\n",
-                   table.file, table.rows.at(row).line, row,
-                   fraction - static_cast<int>(std::floor(more)) - 1, fraction);
+        const double needed = -2 - std::floor(std::log2(bound.largest.at(row)));
+        fmt::print(stderr, "{}:{}: error: {} leaves its range: {}\n", table.file,
+                   table.rows.at(row).line, row,
+                   needed < kLeastFraction
+                       ? "no fraction holds it"
+                       : fmt::format("it needs a fraction of {:+}, not {:+}, or a shorter step",
+                                     static_cast<int>(needed), fraction));
     }
     if (!bound.beyond.empty()) return 1;
     fmt::print(
-        "error: {:.4g} length units at most on any axis, before rounding, in {} step{} of "
+        "error: {:.4g} length units at most on any axis, before the final rounding, in {} step{} "
+        "of "
         "2^{} units\n",
         bound.worst(), asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
     return 0;
@@ -185,16 +208,20 @@ void add_curve(CLI::App& app, int& status) {
     add_values(command, "--set", asked.set, "NAME=VALUE", "a parameter of the core",
                [](const std::string&, const std::string& text) { return single_parameter(text); });
     begin_group(command, group::kPlan);
-    add_values(command, "--row", asked.rows, "ROW=VALUE",
-               "a row of the bus in the segment, ROW=X,Y,Z where it has axes; once for each row",
-               row_values);
+    CLI::Option* const rows = add_values(
+        command, "--row", asked.rows, "ROW=VALUE",
+        "a row of the bus in the segment, ROW=X,Y,Z where it has axes; once for each row",
+        row_values);
     add_value(command, "--step-exponent", asked.step_exponent, "K", "a step is 2^K length units",
               whole_in(0, 27))
+        ->needs(rows)
         ->default_val("20");
     add_value(command, "--down", asked.down, "S", "scale of the segment over that of a step, 2^S",
               whole_in(0, 27))
+        ->needs(rows)
         ->default_val("0");
-    add_value(command, "--steps", asked.steps, "N", "steps of the segment", whole_in(1, 1000))
+    add_value(command, "--steps", asked.steps, "N", "steps of the segment", whole_in(1, 100))
+        ->needs(rows)
         ->default_val("1");
     command.footer("Exit status: 0; 1 a row leaves its range; 2 the input is wrong.");
 }

@@ -45,6 +45,14 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
         {"word b -99", "c.net:6: error: '-99' is no fraction: -16 .. 16 from CoefBits"},
         {"word b -2", "error: b comes from no word of the bus"},
         {"bus place theta", "c.net:6: error: the bus has no field place"},
+        {"load\n  y[k] : -2 = n[k]", "c.net:7: error: n is no word of the segment"},
+        {"anchor\n  y[k] : -2 = a[k]\nnext\n  y[k] : -2 = a[k]",
+         "c.net:9: error: y is made in each step, and carried: it needs `start`"},
+        {"next\n  y[k] : -2 = a[k]\nanchor", "c.net:8: error: `anchor` stands before `next`"},
+        {"anchor\n  y.13 : -2 = theta", "c.net:7: error: an order above 12"},
+        {"anchor\n  y : -2 = 0 theta", "c.net:7: error: a factor is not 0"},
+        {"anchor\n  y[k] : -2 = a[k] + horner(n[k])",
+         "c.net:7: error: a polynomial takes no other term"},
         {"words b -2", "c.net:6: error: 'words' begins no line of a table"}};
     for (const auto& [lines, reason] : cases) {
         EXPECT_NE(refused(lines).find(reason), std::string::npos) << lines << "\n"

@@ -73,7 +73,7 @@ TEST_F(StepGenerator, EqualsKernelClockByClock) {
     int late = 0;
     int refused = 0;
     int overrun = 0;
-    for (int machine = 0; machine < (kPeriod > 1000 ? 40 : 200); ++machine) {
+    for (int machine = 0; machine < (kPeriod > 1000 ? 60 : 200); ++machine) {
         hls::StepGenerator kernel(kStepAxes, kFineBits, kPeriodLog2);
         bench_.reset();
         const auto any = [&](int most) { return static_cast<int>(random_() % most); };
