@@ -178,7 +178,7 @@ class Writer {
         Field made = of.constant ? assembly_.constant(*of.constant)
                      : of.wide   ? assembly_.wide(of.name)
                                  : word(place);
-        made.name = of.name;
+        made.name = of.name.substr(0, of.name.find(" of the "));  // of a place: its word's
         return made;
     }
 
