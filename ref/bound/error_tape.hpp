@@ -18,6 +18,11 @@
 
 namespace curvecore::ref {
 
+/// The word nearest to a value, of so many fraction bits; ties go upwards.
+inline double nearest_word(double value, int bits) {
+    return std::ldexp(std::floor(std::ldexp(value, bits) + 0.5), -bits);
+}
+
 /// Operations in their order, each with the partials by its operands and an error of its own.
 class ErrorTape {
   public:
@@ -28,7 +33,6 @@ class ErrorTape {
         return static_cast<int>(nodes_.size()) - 1;
     }
     void clear() { nodes_.clear(); }
-    std::size_t size() const { return nodes_.size(); }
     double own(std::size_t node) const { return nodes_[node].own; }
 
     /// Partials of the outputs, a column each, by all nodes.
@@ -107,8 +111,7 @@ struct TracedWords {
     TracedNumber weight(int i) const {
         const int bits = coef_bits - 1;
         const double exact = 1.0 / i;
-        const double word = std::ldexp(std::floor(std::ldexp(exact, bits) + 0.5), -bits);
-        const double off = std::abs(word - exact);
+        const double off = std::abs(nearest_word(exact, bits) - exact);
         return {exact, off, bits, tape, tape->add(off)};
     }
 

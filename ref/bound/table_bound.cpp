@@ -107,8 +107,7 @@ class TableWalk {
             for (int axis = 0; axis < 3; ++axis) {
                 whole_.set(row, values[axis], axis);
                 half_.set(row, values[axis], axis);
-                const double scaled = std::floor(std::ldexp(values[axis], bits(row)) + 0.5);
-                const double word = std::ldexp(scaled, -bits(row));
+                const double word = nearest_word(values[axis], bits(row));
                 short_.set(row, word, axis);
                 words_.set(row, {word}, axis);
             }
@@ -136,7 +135,7 @@ class TableWalk {
         for (const auto& [name, row] : table_.rows) {
             const double largest = words_.largest(name).value;
             result_.largest[name] = largest;
-            if (largest >= std::ldexp(1.0, -1 - row.fraction)) result_.beyond.push_back(name);
+            if (largest >= row.range()) result_.beyond.push_back(name);
         }
         return std::move(result_);
     }
@@ -154,7 +153,7 @@ class TableWalk {
 
     /// Draws a part of a step, its samples, and what it carries on.
     void trace(double part, bool goes_on) {
-        const std::vector<int> from = inputs();
+        begin_tape();
         words_.open();
         std::vector<int> to;
         const bool cuts = segment_.k + kPathFrac > core_.coef_bits - 1;
@@ -170,22 +169,22 @@ class TableWalk {
         for (const Carried& of : carried_) to.push_back(carried(of).node);
 
         const Eigen::MatrixXd partials = tape_.sweep(to);
-        const auto inputs = static_cast<Eigen::Index>(from.size());
+        const auto inputs = static_cast<Eigen::Index>(carried_.size());
         const Eigen::MatrixXd before = partials.topRows(inputs).transpose() * errors_;
         Eigen::VectorXd sums = before.cwiseAbs().rowwise().sum();
-        std::vector<Eigen::Index> carried;  // nodes whose errors go on
+        std::vector<Eigen::Index> going_on;  // nodes whose errors do
         for (Eigen::Index node = inputs; node < partials.rows(); ++node) {
             const double own = tape_.own(static_cast<std::size_t>(node));
             if (own == 0) continue;
             sums += own * partials.row(node).cwiseAbs().transpose();
-            if (!partials.row(node).tail(inputs).isZero(0)) carried.push_back(node);
+            if (!partials.row(node).tail(inputs).isZero(0)) going_on.push_back(node);
         }
         bound(part, sums.head(sums.size() - inputs));
         if (!goes_on) return;
-        errors_.resize(inputs, before.cols() + static_cast<Eigen::Index>(carried.size()));
+        errors_.resize(inputs, before.cols() + static_cast<Eigen::Index>(going_on.size()));
         errors_.leftCols(before.cols()) = before.bottomRows(inputs);
         Eigen::Index column = before.cols();
-        for (const Eigen::Index node : carried) {
+        for (const Eigen::Index node : going_on) {
             const double own = tape_.own(static_cast<std::size_t>(node));
             errors_.col(column++) = own * partials.row(node).tail(inputs).transpose();
         }
@@ -217,25 +216,22 @@ class TableWalk {
     }
 
     /// Begins the tape of a step with what is carried into it.
-    std::vector<int> inputs() {
+    void begin_tape() {
         tape_.clear();
-        std::vector<int> nodes;
         auto start = words_.start();
         auto origin = words_.origin();
         const Eigen::VectorXd errors = errors_.cwiseAbs().rowwise().sum();
         for (const Carried& of : carried_) {
             const int node = tape_.add(0);
-            const double error = errors(static_cast<Eigen::Index>(nodes.size()));
+            const double error = errors(node);
             const bool of_row = of.kind == Carried::Kind::kRow;
             const int fraction = of_row ? bits(of.row) : core_.guard_bits;
             const TracedNumber in{carried(of).value, error, fraction, &tape_, node};
             if (of_row) words_.set(of.row, in, of.axis);
             if (of.kind == Carried::Kind::kStart) start[of.axis] = in;
             if (of.kind == Carried::Kind::kOrigin) origin[of.axis] = in;
-            nodes.push_back(node);
         }
         words_.set_positions(start, origin);
-        return nodes;
     }
 
     const CurveTable& table_;
@@ -262,7 +258,7 @@ TableError table_error(const CurveTable& table, const CoreParameters& core,
     for (const auto& [row, values] : segment.values) {
         double& largest = beyond.largest[row];
         for (const double value : values) largest = std::max(largest, std::abs(value));
-        if (largest >= std::ldexp(1.0, -1 - table.rows.at(row).fraction)) {
+        if (largest >= table.rows.at(row).range()) {
             beyond.beyond.push_back(row);
         }
     }

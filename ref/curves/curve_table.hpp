@@ -24,6 +24,7 @@
 // the segment's start, in units of 2^lambda; s = lambda - k.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -80,6 +81,8 @@ struct CurveRow {
     std::optional<RowOperand> same_as = {};  // a rate that is another row
     int line = 0;                            // of the file
 
+    /// Magnitude that is too large for its words, of any CoefBits.
+    double range() const { return std::ldexp(1.0, -1 - fraction); }
     bool rate(const std::string& name) const { return series && name[0] == 'D'; }
 };
 

@@ -247,4 +247,14 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
     return words;
 }
 
+Assembly curve_program(const ref::CurveTable& table, const ref::CoreParameters& core) {
+    Assembly assembly(StoreSize{4096, 512, 2});
+    assembly.from({table.name, 0, ""});
+    assembly.label("idle");
+    assembly.branch("idle");
+    assemble_curves({table}, core, assembly, "idle", "idle");
+    assembly.finish();
+    return assembly;
+}
+
 }  // namespace curvecore::assembler

@@ -29,4 +29,8 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
                                         const std::string& after_step,
                                         const std::string& after_sample);
 
+/// Assembles one curve alone, in the largest store; behind its programs is `idle`, an instruction.
+/// @throws AssemblyError
+Assembly curve_program(const ref::CurveTable& table, const ref::CoreParameters& core);
+
 }  // namespace curvecore::assembler

@@ -10,7 +10,6 @@
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
-#include "rtl/engine/compiler/motion_program.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/widths/commands.hpp"
@@ -37,36 +36,12 @@ struct CurveOptions {
     int steps = 1;
 };
 
-double number(const std::string& option, const std::string& text) {
-    std::size_t used = 0;
-    double value = 0;
-    try {
-        value = std::stod(text, &used);
-    } catch (const std::logic_error&) {
-    }
-    if (text.empty() || used != text.size() || !std::isfinite(value)) {
-        throw UsageError(fmt::format("{} '{}': not a number", option, text));
-    }
-    return value;
-}
-
 RowValues row_values(const std::string& option, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
         throw UsageError(fmt::format("{} '{}': expected ROW=VALUE or ROW=X,Y,Z", option, text));
     }
-    return {text.substr(0, equals), list_of(number)(option, text.substr(equals + 1))};
-}
-
-/// Reads a whole number from `low` to `high`.
-auto whole_in(int low, int high) {
-    return [=](const std::string& option, const std::string& text) {
-        const std::uint64_t value = whole(option, text);
-        if (value >= std::uint64_t(low) && value <= std::uint64_t(high)) {
-            return static_cast<int>(value);
-        }
-        throw UsageError(fmt::format("{} must be in [{}, {}]", option, low, high));
-    };
+    return {text.substr(0, equals), list_of(plain_number)(option, text.substr(equals + 1))};
 }
 
 /// The segment that is asked for. @throws UsageError: a row that the bus has not, or without value
@@ -102,23 +77,17 @@ ref::TableSegment segment_of(const ref::CurveTable& table, const CurveOptions& a
 
 /// Memory and clocks of the engine for the curve alone.
 std::string engine_text(const ref::CurveTable& table, const CoreParameters& core) {
-    assembler::Assembly assembly(assembler::StoreSize{4096, 512, 2});
-    assembly.from({table.name, 0, ""});
-    assembly.label("idle");
-    assembly.branch("idle");
-    assembly.label("after");
     try {
-        assembler::assemble_curves({table}, core, assembly, "idle", "idle");
-        assembly.finish();
+        const assembler::Assembly assembly = assembler::curve_program(table, core);
+        const auto clocks = [&](const char* part) {
+            return assembler::worst_case(assembly, table.name + "_" + part, {"idle"});
+        };
+        return fmt::format("engine: {} instructions; {} clocks a segment, {} a step, {} a sample\n",
+                           assembly.placed().size() - 1, clocks("load"), clocks("step"),
+                           clocks("sample"));
     } catch (const assembler::AssemblyError& error) {
         return fmt::format("engine: does not draw it: {}\n", error.what());
     }
-    const auto clocks = [&](const char* part) {
-        return assembler::worst_case(assembly, table.name + "_" + part, {"idle"});
-    };
-    return fmt::format("engine: {} instructions; {} clocks a segment, {} a step, {} a sample\n",
-                       assembly.placed().size() - 1, clocks("load"), clocks("step"),
-                       clocks("sample"));
 }
 
 std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
@@ -128,7 +97,7 @@ std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
                                    "orders", bound != nullptr ? "    largest  spare bits" : "");
     for (const auto& [name, row] : table.rows) {
         if (row.line == 0 || row.same_as) continue;  // no line makes tau, nor what has another name
-        const double range = std::ldexp(1.0, -1 - row.fraction);
+        const double range = row.range();
         const auto order = orders.find(name);
         text += fmt::format("{:<16} {:>8} {:>10} {:>7}", name + (row.of_axis ? "[k]" : ""),
                             core.coef_bits + row.fraction, fmt::format("+-{:g}", range),
@@ -213,14 +182,15 @@ void add_curve(CLI::App& app, int& status) {
         "a row of the bus in the segment, ROW=X,Y,Z where it has axes; once for each row",
         row_values);
     add_value(command, "--step-exponent", asked.step_exponent, "K", "a step is 2^K length units",
-              whole_in(0, 27))
+              within(whole, 0, 27, "in [0, 27]"))
         ->needs(rows)
         ->default_val("20");
     add_value(command, "--down", asked.down, "S", "scale of the segment over that of a step, 2^S",
-              whole_in(0, 27))
+              within(whole, 0, 27, "in [0, 27]"))
         ->needs(rows)
         ->default_val("0");
-    add_value(command, "--steps", asked.steps, "N", "steps of the segment", whole_in(1, 100))
+    add_value(command, "--steps", asked.steps, "N", "steps of the segment",
+              within(whole, 1, 100, "in [1, 100]"))
         ->needs(rows)
         ->default_val("1");
     command.footer("Exit status: 0; 1 a row leaves its range; 2 the input is wrong.");

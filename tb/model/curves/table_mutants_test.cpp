@@ -39,13 +39,8 @@ void take(const ref::CurveTable& table, const ref::CoreParameters& core) {
     for (const auto& [field, row] : table.bus) segment.values[row] = {0.01, 0.02, 0.03};
     segment.steps = 2;
     table_error(table, core, segment);
-    assembler::Assembly assembly(assembler::StoreSize{4096, 512, 2});
-    assembly.label("idle");
-    assembly.branch("idle");
-    assembly.label("after");
     try {
-        assembler::assemble_curves({table}, core, assembly, "idle", "idle");
-        assembly.finish();
+        assembler::curve_program(table, core);
     } catch (const assembler::AssemblyError& error) {
         EXPECT_NE(std::string(error.what()), "");
     }
