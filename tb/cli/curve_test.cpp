@@ -63,6 +63,7 @@ TEST_F(CurveCommand, BoundsASegment) {
     EXPECT_GT(bound({"--steps", "16"}), here);
     EXPECT_GT(bound({"--steps", "8", "--set", "CoefBits=32"}), 8 * here);
     EXPECT_GT(bound({"--steps", "8", "--set", "Order=3"}), 2 * here);
+    EXPECT_GT(bound({"--steps", "8", "--step-exponent", "22"}), 2 * here);
 }
 
 TEST_F(CurveCommand, NamesARowThatLeavesItsRange) {
@@ -73,6 +74,14 @@ TEST_F(CurveCommand, NamesARowThatLeavesItsRange) {
               std::string::npos)
         << result.err;
     EXPECT_EQ(result.out.find("\nerror: "), std::string::npos) << "no bound";
+    // One that leaves it from step to step: no value that was given does.
+    const ProgramResult carried =
+        program_.run({"curve", "check", "c.net", "--row", "T=1,0,0", "--row", "N=0,1,0", "--row",
+                      "kappa=0.24,0.24,0.24", "--row", "sigma=0.01", "--steps", "8"});
+    EXPECT_EQ(carried.status, 1);
+    EXPECT_NE(carried.err.find("kappa leaves its range: it needs a fraction of +0, not +1"),
+              std::string::npos)
+        << carried.err;
     EXPECT_NE(check({}, "kappa=1e300,0,0").err.find("kappa leaves its range: no fraction holds it"),
               std::string::npos);
 }

@@ -116,6 +116,7 @@ class BoundComparison {
     void check() {
         std::sort(ratios_.begin(), ratios_.end());
         ASSERT_GT(ratios_.size(), 10U);
+        EXPECT_GT(ratios_.front(), 0.4) << "an error may be missing";
         EXPECT_LT(ratios_.back(), 1.1);
         EXPECT_LT(ratios_[ratios_.size() / 2], 1);
         EXPECT_GT(*std::min_element(shares_.begin(), shares_.end()), 0.15);

@@ -118,8 +118,11 @@ TEST_F(MotionWords, StandUntilTheyCoverAStop) {
     EXPECT_EQ(path_, 0);
     EXPECT_FALSE(dut_->active_o);
     segment_stall_ = 0;
-    requesting_ = false;
-    fill();
+    if (core_.build == Build::kEngine && core_.aux_axes > 1) {
+        // Long frames enter it more slowly than samples can be asked for.
+        requesting_ = false;
+        fill();
+    }
     run();
     EXPECT_FALSE(dut_->underrun_o);
 }

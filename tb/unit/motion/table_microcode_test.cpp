@@ -57,7 +57,8 @@ class TableMicrocode : public MotionInterpolator {
             ds, [this] { return next_segment(); }, fine);
     }
 
-    /// Turns the arcs of a program into clothoids: a frame in any plane, curvature and its change.
+    /// Turns the arcs of a program into clothoids: a frame in any plane, curvature and its change;
+    /// each axis has a curvature of its own, so that another's would be seen.
     void bend(std::vector<RunSegment>& segments) {
         const auto real = [this](double most) {
             return std::uniform_real_distribution<double>(-most, most)(random_);
@@ -69,12 +70,11 @@ class TableMicrocode : public MotionInterpolator {
             if (segment.kind == hls::SegmentKind::kSpline) continue;
             const ref::Vec3 t = ref::Vec3(real(1), real(1), real(1)).normalized();
             const ref::Vec3 n = t.cross(ref::Vec3(real(1), real(1), real(1))).normalized();
-            const double kappa = real(1.0 / 8);
             segment.theta = word(std::abs(real(1.0 / 256)), 1);
             for (int axis = 0; axis < 3; ++axis) {
                 segment.tangent[axis] = word(t[axis], -2);
                 segment.normal[axis] = word(n[axis], -2);
-                segment.advance[axis] = word(kappa, 1);
+                segment.advance[axis] = word(real(1.0 / 8), 1);
             }
             ++clothoids_;
         }
