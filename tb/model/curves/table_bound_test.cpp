@@ -9,6 +9,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <random>
 
+#include "ref/bound/error_tape.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "ref/feed/planner.hpp"
@@ -95,6 +96,37 @@ double share_of_bound(const ref::CurveTable& table, const ref::CoreParameters& c
         }
     }
     return most;
+}
+
+// Each source of an error alone: samples of whole segments would hide one that is missing.
+TEST(TableBound, HasEverySourceOfAnError) {
+    ref::ErrorTape tape;
+    const ref::TracedWords words{10, 4, &tape};
+    const auto own = [&](const ref::TracedNumber& of) {
+        return tape.own(static_cast<std::size_t>(of.node));
+    };
+    const ref::TracedNumber third = words.weight(3);
+    EXPECT_DOUBLE_EQ(third.error, 171.0 / 512 - 1.0 / 3);
+    EXPECT_EQ(own(third), third.error);
+    EXPECT_EQ(words.weight(4).error, 0);
+
+    const ref::TracedNumber a(0.5, 0.01, 8, &tape, tape.add(0.01));
+    const ref::TracedNumber b(0.25, 0.02, 8, &tape, tape.add(0.02));
+    const ref::TracedNumber product = a * b;
+    EXPECT_DOUBLE_EQ(own(product), 0.01 * 0.02);
+    EXPECT_DOUBLE_EQ(product.error, 0.5 * 0.02 + 0.25 * 0.01 + 0.01 * 0.02);
+    const ref::TracedNumber rounded = words.rounded(product, -2);
+    EXPECT_EQ(own(rounded), std::ldexp(0.5, -8));
+    EXPECT_DOUBLE_EQ(rounded.error, product.error + std::ldexp(0.5, -8));
+    EXPECT_EQ(own(words.position(product)), std::ldexp(0.5, -4));
+    EXPECT_EQ(words.rounded(a, -2).node, a.node) << "a word of as many bits is not rounded";
+
+    const ref::TracedNumber sum = ldexp(rounded, 3) + a;
+    const Eigen::MatrixXd partials = tape.sweep({sum.node});
+    EXPECT_EQ(partials(a.node, 0), 8 * 0.25 + 1);
+    EXPECT_EQ(partials(b.node, 0), 8 * 0.5);
+    EXPECT_EQ(partials(rounded.node, 0), 8);
+    EXPECT_EQ(partials(third.node, 0), 0);
 }
 
 /// Segments' bounds by the table and by hand, and the worst sample of each.
