@@ -9,6 +9,8 @@ namespace curvecore::sysc {
 
 /// A volumetric cam.
 void add_cam(CLI::App& app, int& status);
+/// A curve's table. Status: 0; 1 a row leaves its range.
+void add_curve(CLI::App& app, int& status);
 /// An idle move between two working paths.
 void add_join(CLI::App& app, int& status);
 

@@ -13,8 +13,6 @@ void add_choose(CLI::App& app, int& status);
 /// Configurations side by side. Status: 0; 1 an error beyond its bound, or a missed end; 130
 /// interrupted, with the finished configurations written.
 void add_compare(CLI::App& app, int& status);
-/// A curve's table. Status: 0; 1 a row leaves its range.
-void add_curve(CLI::App& app, int& status);
 /// The shortest queues. Status: 0; 3 no queues fit any host.
 void add_explore(CLI::App& app, int& status);
 

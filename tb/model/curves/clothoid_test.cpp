@@ -10,7 +10,7 @@
 #include "ref/bound/table_bound.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
-#include "sysc/curves/table_words.hpp"
+#include "sysc/core/table_words.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/compiler/motion_program.hpp"
-#include "sysc/curves/table_kernel.hpp"
+#include "sysc/core/table_kernel.hpp"
 #include "tb/support/bench/motion_bench.hpp"
 #include "tb/support/microcode/engine_memories.hpp"
 #include "tb/support/programs/long_form.hpp"

@@ -7,7 +7,7 @@
 
 #include "ref/curves/table_machine.hpp"
 #include "sysc/core/run_time_format.hpp"
-#include "sysc/curves/table_words.hpp"
+#include "sysc/core/table_words.hpp"
 
 namespace curvecore::sysc {
 

@@ -12,7 +12,7 @@
 #include "rtl/engine/compiler/curve_assembler.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
-#include "sysc/commands/widths/commands.hpp"
+#include "sysc/curvecore/commands.hpp"
 
 namespace curvecore::sysc {
 namespace {
