@@ -208,14 +208,23 @@ constexpr int engine_step_clocks(const TimedCore& core, bool spline) {
     return step + engine_aux_clocks(core, 31);
 }
 
+/// Clocks of a segment's words, besides its curve: to enter, and of auxiliary axes to be fetched.
+constexpr int engine_entry_clocks(const TimedCore& core) {
+    return engine_aux_clocks(core, 72) + kEngineEntryClocks * engine_entry_words(core);
+}
+
 constexpr int engine_segment_clocks(const TimedCore& core, bool spline) {
     const int load = spline ? 1000 + engine_step_clocks(core, spline) : 144 * core.order + 990;
-    return load + engine_aux_clocks(core, 72) + kEngineEntryClocks * engine_entry_words(core);
+    return load + engine_entry_clocks(core);
+}
+
+/// Clocks of a sample whose curve takes so many of them.
+constexpr int engine_sample_clocks(const TimedCore& core, int of_curve) {
+    return kEngineRestClocks + kEngineFollowClocks + of_curve + engine_place_clocks(core);
 }
 
 constexpr Clocks engine_clocks(const TimedCore& core, bool spline) {
-    const int sample = kEngineRestClocks + kEngineFollowClocks + engine_curve_clocks(core, spline) +
-                       engine_place_clocks(core);
+    const int sample = engine_sample_clocks(core, engine_curve_clocks(core, spline));
     return {sample, sample + engine_step_clocks(core, spline),
             sample + engine_segment_clocks(core, spline)};
 }

@@ -9,6 +9,7 @@
 //     Coef, Fine, Position, FineParameter, Product
 //                                          types of words; Product holds a sum of 13 products
 //     kMostOrder, kMostAxes                constants, for arrays
+//     Further, kFurtherWords               words of a table alone (hls/words.hpp): mostly none
 //     keep(variable, order, value)         called for every word of a network: the value as the
 //                                          word keeps it
 #pragma once
@@ -21,6 +22,9 @@
 namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
+
+/// Further words of a segment that has none.
+struct NoFurther {};
 
 enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 
@@ -58,6 +62,8 @@ struct Configuration {
 
     static constexpr int kMostOrder = kOrder;
     static constexpr int kMostAxes = kAxes;
+    static constexpr int kFurtherWords = 0;
+    using Further = NoFurther;
     using Coef = Word<CoefBits>;
     using Fine = Word<kFineBits>;
     using Position = Word<PositionBits>;

@@ -31,6 +31,16 @@ inline std::int64_t whole(std::uint64_t value, int bits) {
     return static_cast<std::int64_t>(value);
 }
 
+namespace detail {
+inline void set_further(NoFurther&, int, std::int64_t) {
+    throw std::range_error("a table's words, and the format has none for them");
+}
+template <class Further>
+inline void set_further(Further& further, int n, std::int64_t word) {
+    further[static_cast<std::size_t>(n)] = word;
+}
+}  // namespace detail
+
 /// Set the words of a curve: head and coefficients of X Y Z.
 template <class C>
 inline void curve_words(const ref::ArcPiece& arc, int step_exponent, const C& c,
@@ -54,6 +64,31 @@ inline void curve_words(const ref::SplinePiece& spline, int /*step_exponent*/, c
         words.tangent[axis] = quantise(spline.a[axis], c.kCoefFrac, c.kCoefBits);
         words.normal[axis] = quantise(spline.b[axis], c.kCoefFrac, c.kCoefBits);
         words.advance[axis] = quantise(spline.c[axis], c.kCoefFrac, c.kCoefBits);
+    }
+}
+
+template <class C>
+inline void curve_words(const ref::TablePiece& piece, int step_exponent, const C& c,
+                        SegmentWords<C>& words) {
+    words.kind = SegmentKind::kTable;
+    const auto rows = piece.rows(std::ldexp(1.0, step_exponent));
+    for (const auto& [field, row] : piece.table->bus) {
+        const int frac = c.kCoefBits + piece.table->rows.at(row).fraction;
+        const int axes = piece.table->rows.at(row).of_axis ? 3 : 1;
+        const ref::BusPlace place = ref::bus_place(field);
+        for (int axis = 0; axis < axes; ++axis) {
+            const std::int64_t word =
+                quantise(rows.at(row)[static_cast<std::size_t>(axis)], frac, c.kCoefBits);
+            if (place.further()) {
+                detail::set_further(words.further, place.number + axis, word);
+            } else if (place.field == "theta") {
+                words.theta = word;
+            } else {
+                (place.field == "tangent"  ? words.tangent
+                 : place.field == "normal" ? words.normal
+                                           : words.advance)[axis] = word;
+            }
+        }
     }
 }
 

@@ -76,15 +76,17 @@ class FrameEntry {
 
 }  // namespace detail
 
-/// The entry of segments for a core with or without splines.
+/// The entry of segments for a core with or without splines, with or without a table.
 template <class C>
 class SegmentEntry : public detail::FrameEntry, private C {
   public:
-    SegmentEntry(const C& format, bool splines, std::uint16_t digest = 0)
-        : FrameEntry(Tag::kLength, digest), C(format), splines_(splines) {}
+    SegmentEntry(const C& format, bool splines, std::uint16_t digest = 0, bool table = false)
+        : FrameEntry(Tag::kLength, digest), C(format), splines_(splines), table_(table) {}
 
     Entry take(std::uint64_t word) {
-        const bool completes = tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
+        const bool completes = C::kFurtherWords > 0
+                                   ? further_ == C::kFurtherWords
+                                   : tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
         const bool numbered = tag_ == Tag::kTangent && axis_ == 0;
         const Entry entry = verdict(word, can_be(word), {numbered, follows(word), completes});
         if (tag_ == Tag::kNormal && axis_ == 0) other_turn_ = get(kOtherTurnField, word) != 0;
@@ -109,6 +111,7 @@ class SegmentEntry : public detail::FrameEntry, private C {
                 return detail::sign_extended(word, C::kFineBits, kPointField.bits);
             case Tag::kTangent:
             case Tag::kAdvance:
+            case kFurther:
                 return coef;
             case Tag::kNormal:
                 return coef && (axis_ != 0 || lambda_can_be(word));
@@ -121,8 +124,11 @@ class SegmentEntry : public detail::FrameEntry, private C {
         const std::uint64_t kind = get(kKindField, word);
         const std::uint64_t theta = get(kCoefField, word);
         const std::uint64_t one = std::uint64_t(1) << (C::kCoefBits - 1);
-        return get(kStepExponentField, word) <= kMaxStepExponent && theta < one &&
-               (kind == 0 || (kind == 1 && splines_ && theta >= one / 2));
+        if (get(kStepExponentField, word) > kMaxStepExponent) return false;
+        if (kind == 3) {
+            return table_ && detail::sign_extended(word, C::kCoefBits, kCoefField.bits);
+        }
+        return theta < one && (kind == 0 || (kind == 1 && splines_ && theta >= one / 2));
     }
 
     bool lambda_can_be(std::uint64_t word) const {
@@ -141,7 +147,10 @@ class SegmentEntry : public detail::FrameEntry, private C {
         if (completes) {
             any_start_ = false;
             tag_ = Tag::kLength;
-            axis_ = 0;
+            axis_ = further_ = 0;
+        } else if (tag_ == kFurther || (tag_ == Tag::kAdvance && axis_ == C::kAxes - 1)) {
+            tag_ = kFurther;
+            ++further_;
         } else if (tag_ == Tag::kAdvance) {
             tag_ = Tag::kStart;
             ++axis_;
@@ -152,8 +161,12 @@ class SegmentEntry : public detail::FrameEntry, private C {
         }
     }
 
+    static constexpr Tag kFurther = static_cast<Tag>(kFurtherTag);
+
     bool splines_;
+    bool table_;
     int axis_ = 0;
+    int further_ = 0;  // number of the further word that comes, from 1; 0: none yet
     bool spline_ = false;
     std::uint64_t k_ = 0;
     bool other_turn_ = false;

@@ -40,6 +40,12 @@
 //   | 5, 6, 7 | a, b, c | in the places of tangent, normal, advance, CoefBits-2 fraction bits:    |
 //   |         |         | r(v) = start + 2^lambda ((a v + b) v + c) v;  k <= lambda               |
 //
+// A segment of a table (kind 3, for cores whose engine has one) has the words that its table's bus
+// names, in the same places; lambda is 0, and theta any word. Of such a core each segment has
+// further words behind its others, as many as its table needs:
+//
+//   | 10        | further      | [35:0] CoefBits; check [43:36]                                 |
+//
 // Profile piece (constant jerk):
 //
 //   | tag      | word     | fields                                                              |
@@ -78,7 +84,10 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-enum class SegmentKind { kArc = 0, kSpline = 1 };  // a line is an arc without a circle
+/// A line is an arc without a circle; a table is any other curve (ref/curves/curve_table.hpp).
+enum class SegmentKind { kArc = 0, kSpline = 1, kTable = 3 };
+
+constexpr std::uint64_t kFurtherTag = 10;  // of no other word in the stream of segments
 
 template <class C>
 struct SegmentWords {
@@ -95,6 +104,7 @@ struct SegmentWords {
     typename C::Coef tangent[3] = {};             // a of a spline
     typename C::Coef normal[3] = {};              // b of a spline
     typename C::Coef advance[C::kMostAxes] = {};  // c of a spline in X Y Z
+    typename C::Further further = {};
 };
 
 constexpr int kProfileBits = 36;                // coefficients of a profile piece
@@ -180,10 +190,27 @@ inline std::uint64_t bus_word(Tag tag, Field field, std::int64_t value) {
 inline std::int64_t signed_bits(std::uint64_t word, int bits) {
     return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
 }
+
+/// Pack and unpack further words, of a format with and without.
+template <class C>
+inline void pack_further(const NoFurther&, std::uint64_t*, const C&) {}
+template <class C, class Further>
+inline void pack_further(const Further& further, std::uint64_t* out, const C& c) {
+    for (int n = 0; n < c.kFurtherWords; ++n) {
+        *out++ = put(kTagField, static_cast<std::int64_t>(kFurtherTag)) |
+                 put(kCoefField, to_int(further[n]));
+    }
+}
+template <class C, class Coef>
+inline void unpack_further(NoFurther&, const Coef&, const C&) {}
+template <class C, class Coef, class Further>
+inline void unpack_further(Further& further, const Coef& coef, const C& c) {
+    for (int n = 0; n < c.kFurtherWords; ++n) further[n] = coef();
+}
 }  // namespace detail
 
 /// Packs a segment as the bus and the memory file carry it, without its checks
-/// (hls/word_check.hpp): 17 + 3 AuxAxes words to `out`.
+/// (hls/word_check.hpp): 17 + 3 AuxAxes words to `out`, and the further ones.
 template <class C>
 inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out,
                  const C& c = C()) {
@@ -206,6 +233,7 @@ inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_
         }
         *out++ = bus_word(Tag::kAdvance, kCoefField, to_int(segment.advance[axis]));
     }
+    detail::pack_further(segment.further, out, c);
 }
 
 /// Unpacks a segment without sequence and ticks, the inverse; next() gives a bus word.
@@ -221,7 +249,7 @@ inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
     segment.length = static_cast<std::int64_t>(get(kLengthField, next()));
     const std::uint64_t head = next();
     segment.theta = coef(head);
-    segment.kind = get(kKindField, head) == 0 ? SegmentKind::kArc : SegmentKind::kSpline;
+    segment.kind = static_cast<SegmentKind>(get(kKindField, head));
     segment.step_exponent = static_cast<int>(get(kStepExponentField, head));
     segment.last = get(kLastField, head) != 0;
     for (int axis = 0; axis < c.kAxes; ++axis) {
@@ -235,6 +263,8 @@ inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
         }
         segment.advance[axis] = coef(next());
     }
+    detail::unpack_further(
+        segment.further, [&] { return coef(next()); }, c);
     return segment;
 }
 

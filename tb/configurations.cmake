@@ -199,14 +199,22 @@ core_tests(curve_interpolator TOP curve_interpolator PORTS curve)
 core_tests(motion_interpolator TOP motion_interpolator PORTS motion
            PARAMS SegmentQueueWords=4096 ProfileQueueWords=512)
 
-# Build 2 with microcode that is not its own, or not as it was made.
-bench_objects(microcode TESTS microcode table_microcode)
-target_link_libraries(bench_microcode PUBLIC curvecore_assembler)
-target_compile_definitions(bench_microcode PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")
-core_test(microcode b2 TOP motion_interpolator PORTS motion
-          PARAMS Build=2 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Splines=1
-                 Mode=1 SegmentQueueWords=1024 ProfileQueueWords=256
-          SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+# Build 2 with microcode that is not its own, or not as it was made; or that has a table's curve.
+foreach(bench microcode table_microcode)
+  bench_objects(${bench})
+  target_link_libraries(bench_${bench} PUBLIC curvecore_assembler)
+  target_compile_definitions(bench_${bench} PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")
+  set(configuration b2)
+  set(tables)
+  if(bench STREQUAL "table_microcode")
+    set(configuration b2_t1)
+    set(tables Tables=1)
+  endif()
+  core_test(${bench} ${configuration} TOP motion_interpolator PORTS motion
+            PARAMS Build=2 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Splines=1
+                   Mode=1 SegmentQueueWords=1024 ProfileQueueWords=256 ${tables}
+            SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+endforeach()
 
 set(small PARAMS Order=2 CoefBits=18 PositionBits=16 GuardBits=2 AuxAxes=0 Mode=0)
 core_test(empty_segments parallel TOP spherical_interpolator PORTS curve ${small})
@@ -358,6 +366,7 @@ foreach(module motion_interpolator motion_system motion_board motion_axi)
   illegal_parameter_test(${module} Build=2 "Build 2 needs Program and Data")
 endforeach()
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
+illegal_parameter_test(motion_interpolator Tables=1 "Build 0 works with Tables 0 only")
 
 # The registers: axes, bits of scale and of times.
 rows(sizes 3,44,12 1,33,4 MORE 9,56,16)

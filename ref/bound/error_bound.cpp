@@ -171,6 +171,7 @@ double rounding_bound(const CoreParameters& format, const Segment& segment) {
 
 double segment_bound(const CoreParameters& format, const Segment& segment) {
     if (segment.kind() == CurveKind::kSpline) return spline_error(format, segment).total();
+    if (segment.kind() == CurveKind::kTable) return segment.bound;  // ref/segment/table_segment.hpp
     return truncation_bound(format, segment) + rounding_bound(format, segment);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/bound/table_bound.hpp"
 
+#include <limits>
+#include <set>
+
 #include "ref/bound/error_tape.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/format/path_words.hpp"
@@ -37,6 +40,7 @@ namespace {
 constexpr int kOrdersMore = 8;
 constexpr int kHalfOfThem = 4;
 constexpr int kPlacesPerDegree = 4;
+constexpr double kNothing = 1e-15;  // of a series, of the size of a step
 
 /// Degree of each row of `sample` as a polynomial in tau.
 int degree_of_samples(const CurveTable& table, int order, bool by_lines) {
@@ -131,6 +135,7 @@ class TableWalk {
                 short_.step();
             }
             trace(step + 1 < segment_.steps ? 1 : segment_.last, step + 1 < segment_.steps);
+            if (!shrinks()) result_.errors.back().fill(std::numeric_limits<double>::infinity());
         }
         for (const auto& [name, row] : table_.rows) {
             const double largest = words_.largest(name).value;
@@ -213,6 +218,30 @@ class TableWalk {
             sum[axis] = rounding[axis] * places_.factor + rest[axis] * places_of_rest_.factor;
         }
         result_.errors.push_back(sum);
+    }
+
+    /// Returns whether the last four orders of every series that is summed are at most half of
+    /// those before, or nothing that a word could show.
+    bool shrinks() const {
+        const int last = core_.order + kOrdersMore;
+        std::set<std::string> summed{table_.output};
+        for (const char* section : {"next", "sample"}) {
+            for (const TableLine& line : table_.section(section)) {
+                if (line.function != TableLine::Function::kTerms) summed.insert(line.series.row);
+            }
+        }
+        for (const std::string& name : summed) {
+            for (int axis = 0; axis < (table_.rows.at(name).of_axis ? 3 : 1); ++axis) {
+                double before = 0;
+                double behind = 0;
+                for (int n = 1; n <= kHalfOfThem; ++n) {
+                    before += std::abs(whole_.value(name, last - 2 * kHalfOfThem + n, axis));
+                    behind += std::abs(whole_.value(name, last - kHalfOfThem + n, axis));
+                }
+                if (behind > before / 2 && behind > kNothing) return false;
+            }
+        }
+        return true;
     }
 
     /// Begins the tape of a step with what is carried into it.

@@ -24,7 +24,8 @@ struct TableSegment {
 
 /// | field   | unit         | meaning                                                            |
 /// |---------|--------------|--------------------------------------------------------------------|
-/// | errors  | length units | bound of each axis in each step, before the final rounding         |
+/// | errors  | length units | bound of each axis in each step, before the final rounding;        |
+/// |         |              | infinite in steps in which a series shrinks too slowly for it       |
 /// | largest |              | largest magnitude of each row that is made, its error counted; of   |
 /// |         |              | `sample` at those places                                           |
 /// | beyond  |              | rows that may leave their range: if there are any, nothing is bound |
@@ -38,9 +39,10 @@ struct TableError {
 
 /// Follows all roundings through the segment: what is carried from step to step is a matrix of
 /// independent errors. What the series leave out is the difference to the same table with 8 orders
-/// more, in double precision, and once more by how much that differs from 4 orders more: enough for
-/// series whose coefficients shrink by a sixth an order. All are polynomials in tau, known from as
-/// many places of a step as bound them everywhere in it.
+/// more, in double precision, and once more by how much that differs from 4 orders more: enough
+/// where four orders are at most half of the four before, which is asked of every series that is
+/// summed. All are polynomials in tau, known from as many places of a step as bound them everywhere
+/// in it.
 TableError table_error(const CurveTable& table, const CoreParameters& core,
                        const TableSegment& segment);
 

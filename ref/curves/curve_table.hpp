@@ -24,12 +24,17 @@
 // the segment's start, in units of 2^lambda; s = lambda - k.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "ref/format/parameters.hpp"
 
 namespace curvecore::ref {
 
@@ -86,15 +91,45 @@ struct CurveRow {
     bool rate(const std::string& name) const { return series && name[0] == 'D'; }
 };
 
+/// Most words of a segment that are of its table alone.
+constexpr int kMostFurther = 16;
+
+/// A place of the bus: theta; tangent, normal or advance, words of three axes; or further.N, a word
+/// of the table alone, and of a row of three axes also the two behind it.
+struct BusPlace {
+    std::string field;
+    int number = 0;  // of a further word
+    bool further() const { return field == "further"; }
+};
+
+inline BusPlace bus_place(const std::string& name) {
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) return {name};
+    return {name.substr(0, dot), std::stoi(name.substr(dot + 1))};
+}
+
 struct CurveTable {
     std::string file;
+    std::string text;  // its lines, without remarks
     std::string name;
     std::string title;
     std::string output;
     std::map<std::string, CurveRow> rows;
-    std::map<std::string, std::string> bus;  // row by its word of the bus
+    std::map<std::string, std::string> bus;  // row by its place of the bus
     std::map<std::string, std::vector<TableLine>> sections;
+    std::map<std::string, int> said_powers;  // of rows whose power no line says
+    std::map<std::string, int> powers = {};  // row_powers(), of a table that programs name
 
+    /// Words of a segment that are of the table alone.
+    int further_words() const {
+        int count = 0;
+        for (const auto& [place, row] : bus) {
+            const BusPlace at = bus_place(place);
+            const int own = rows.at(row).of_axis ? 3 : 1;
+            if (at.further()) count = std::max(count, at.number + own);
+        }
+        return count;
+    }
     const std::vector<TableLine>& section(const std::string& of) const {
         static const std::vector<TableLine> kNone;
         const auto found = sections.find(of);
@@ -105,5 +140,11 @@ struct CurveTable {
         return polynomial && !section("sample").empty();
     }
 };
+
+/// Lets a core draw a table, or none.
+inline void add_table(std::shared_ptr<const CurveTable> table, CoreParameters& core) {
+    core.further_words = table ? table->further_words() : 0;
+    core.table = std::move(table);
+}
 
 }  // namespace curvecore::ref

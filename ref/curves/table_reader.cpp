@@ -2,6 +2,7 @@
 #include "ref/curves/table_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "ref/curves/line_reader.hpp"
@@ -49,7 +50,17 @@ class Reader {
         if (table_.output.empty() || table_.rows.count(table_.output) == 0) {
             place.refuse("no line `output NAME` of a row that a line makes");
         }
+        for (const auto& [name, line] : in_order_) {
+            if (!row(name).series) Place{table_.file, line}.refuse(name + " has no orders");
+        }
         place_in_step(place);
+        int words = 0;  // further ones that have a row
+        for (const auto& [field, row] : table_.bus) {
+            if (bus_place(field).further()) words += table_.rows.at(row).of_axis ? 3 : 1;
+        }
+        if (words != table_.further_words()) {
+            place.refuse("further words without a row before the last one");
+        }
         for (const auto& [name, row] : table_.rows) {
             if ((row.word || (row.start && !row.value)) && !on_bus(name)) {
                 place.refuse(name + " comes from no word of the bus");
@@ -81,6 +92,11 @@ class Reader {
         if (key == "curve") {
             pairs(1);
             table_.name = items[0];
+            const bool named = std::isalpha(static_cast<unsigned char>(items[0][0])) != 0 &&
+                               std::all_of(items[0].begin(), items[0].end(), [](unsigned char c) {
+                                   return std::isalnum(c) != 0 || c == '_';
+                               });
+            if (!named) place.refuse("the name of a curve is letters and digits");
             for (std::size_t n = 1; n < items.size(); ++n) {
                 table_.title += (n > 1 ? " " : "") + items[n];
             }
@@ -101,11 +117,13 @@ class Reader {
         } else if (key == "bus") {
             pairs(2);
             for (std::size_t n = 0; n < items.size(); n += 2) {
-                if (kFields.count(items[n]) == 0) {
-                    place.refuse("the bus has no field " + items[n]);
-                }
-                known(items[n + 1], place);
-                table_.bus[items[n]] = items[n + 1];
+                on_bus(items[n], items[n + 1], place);
+            }
+        } else if (key == "power") {
+            pairs(2);
+            for (std::size_t n = 0; n < items.size(); n += 2) {
+                known(items[n], place);
+                table_.said_powers[items[n]] = whole(items[n + 1], place);
             }
         } else if (key == "output") {
             pairs(1);
@@ -130,6 +148,38 @@ class Reader {
             place.refuse("'" + key + "' begins no line of a table" +
                          (section_.empty() ? " before its first section" : ""));
         }
+    }
+
+    /// Lets a row come from a place of the bus, which no other row has.
+    void on_bus(const std::string& field, const std::string& name, const Place& place) {
+        const bool axes = known(name, place).of_axis;
+        const bool further = field.rfind("further.", 0) == 0;
+        if (further) {
+            const std::string number = field.substr(std::string("further.").size());
+            const bool digits = !number.empty() && number.size() < 3 &&
+                                (number[0] != '0' || number.size() == 1) &&
+                                number.find_first_not_of("0123456789") == std::string::npos;
+            if (!digits || std::stoi(number) + (axes ? 3 : 1) > kMostFurther) {
+                place.refuse(field + ": further words are 0 .. " +
+                             std::to_string(kMostFurther - 1));
+            }
+        } else if (kFields.count(field) == 0) {
+            place.refuse("the bus has no field " + field);
+        } else if (axes != (field != "theta")) {
+            place.refuse(name + (axes ? " is a row of each axis: theta is one word"
+                                      : " is no row of an axis: it comes from theta, or from "
+                                        "further.0, further.1 .."));
+        }
+        for (const auto& [other, row] : table_.bus) {
+            if (row == name) place.refuse(name + " comes from " + other + " already");
+            const BusPlace of = bus_place(other);
+            const int first = further ? bus_place(field).number : 0;
+            const bool both = further && of.further() &&
+                              first < of.number + (table_.rows.at(row).of_axis ? 3 : 1) &&
+                              of.number < first + (axes ? 3 : 1);
+            if (other == field || both) place.refuse(field + " has " + row + " already");
+        }
+        table_.bus[field] = name;
     }
 
     void declare(std::string name, int fraction, bool start, const Place& place) {
@@ -165,8 +215,8 @@ class Reader {
         if (read.of_axis && !line.of_axis && !line.adds_axes) {
             place.refuse(line.row + " is no row of an axis, " + read.row + "[k] is");
         }
-        if ((read.primes != 0 || read.order) && !of.series) {
-            place.refuse(read.row + " has no orders");
+        if (read.primes != 0 || read.order) {
+            in_order_.emplace_back(read.row, place.line);  // `order` may make it further down
         }
         if (section_ == "load" && (of.start || of.series)) {
             place.refuse(read.row + " is no word of the segment: `load` is made once");
@@ -275,6 +325,7 @@ class Reader {
 
     CurveTable& table_;
     std::string section_;
+    std::vector<std::pair<std::string, int>> in_order_;  // rows whose orders a line reads
 };
 
 }  // namespace
@@ -295,6 +346,7 @@ CurveTable read_curve_text(const std::string& file, const std::string& text) {
         for (char& c : line) {
             c = c == '\t' ? ' ' : c;
         }
+        table.text += line + "\n";
         reader.line(line, {table.file, lines.number()});
     }
     reader.end({table.file, lines.number()});

@@ -4,7 +4,9 @@
 //     curve NAME title         word NAME[3] FRACTION ..      start NAME[3] FRACTION ..
 //     const NAME FRACTION VALUE          output NAME         polished NAME ..
 //     alias Dq phi'            a rate that is another row, an order lower
-//     bus FIELD NAME ..        where the words come from: theta tangent normal advance
+//     bus FIELD NAME ..        where the words come from: theta tangent normal advance, and what
+//                              needs more from further.0, further.1 ..
+//     power NAME N             how a row grows with the step, where no line says it
 #pragma once
 
 #include <string>

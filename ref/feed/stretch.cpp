@@ -31,7 +31,7 @@ constexpr double kSameSpeed = 1e-9;      // relative
 
 /// Factor by which knots may be spread where the speed is constant.
 double knots_apart(const Move& move) {
-    if (move.kind == Move::Kind::kCubic) return 2;
+    if (move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable) return 2;
     return move.kind == Move::Kind::kArc ? 4 : kUnlimited;
 }
 

@@ -3,8 +3,14 @@
 // both: ref/format/parameter_text.hpp.
 #pragma once
 
+#include <memory>
+
+#include "ref/format/path_words.hpp"
+
 namespace curvecore {
 namespace ref {
+
+struct CurveTable;  // ref/curves/curve_table.hpp
 
 /// Builds of rtl/motion_interpolator.sv, by the number that its parameter Build has.
 enum class Build { kParallel, kSerial, kEngine };
@@ -14,8 +20,12 @@ struct CoreParameters {
 #define PARAMETER(field, Name, low, high, default_value, ...) int field = default_value;
 #include "ref/format/parameters.def"
     Build build = Build::kParallel;
+    std::shared_ptr<const CurveTable> table = {};  // a further curve that it draws: none, or one
+    int further_words = 0;                         // of each segment, for the table alone
 
     int axes() const { return 3 + aux_axes; }
+    /// Words of a segment on the bus.
+    int segment_words() const { return segment_bus_words(aux_axes) + further_words; }
     bool polynomial() const { return mode == 1; }
     /// Largest rounding of a position by the output, units.
     double rounding() const { return 0.5; }
@@ -71,7 +81,7 @@ inline bool operator==(const CoreParameters& a, const CoreParameters& b) {
     for (const Parameter& row : kParameters) {
         if (a.*row.value != b.*row.value) return false;
     }
-    return a.build == b.build;
+    return a.build == b.build && a.table == b.table;
 }
 
 }  // namespace ref

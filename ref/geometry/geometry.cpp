@@ -14,6 +14,7 @@
 #include "ref/geometry/remedy.hpp"
 #include "ref/geometry/rotary_turns.hpp"
 #include "ref/geometry/spline_geometry.hpp"
+#include "ref/geometry/table_geometry.hpp"
 #include "ref/limits/arc_shape.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/limits/travel.hpp"
@@ -171,8 +172,8 @@ class Cutter {
     void add(std::size_t index) {
         const Move& move = program_.moves[index];
         check_travel(move);
-        if (move.kind == Move::Kind::kCubic) {
-            add_spline(index);
+        if (move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable) {
+            add_curve(index);
             return;
         }
         const PathShape shape = path_shape(move);
@@ -229,8 +230,9 @@ class Cutter {
         }
     }
 
-    void add_spline(std::size_t index) {
+    void add_curve(std::size_t index) {
         const Move& move = program_.moves[index];
+        const bool spline = move.kind == Move::Kind::kCubic;
         const double length = move.length();
         check_path(move, length);
         for (int i = 0; i < kAuxAxes; ++i) {
@@ -241,6 +243,31 @@ class Cutter {
                                          kAxisLetters[3 + i], rate, kMaxAuxRate));
             }
         }
+        spline ? add_spline(index) : add_table(index);
+    }
+
+    void add_table(std::size_t index) {
+        const Move& move = program_.moves[index];
+        std::vector<Segment> segments;
+        try {
+            segments = table_segments(program_, index, options_,
+                                      fastest_of(move, PathShape(), machine_.velocity), path_);
+        } catch (const std::domain_error&) {
+            refuse(move,
+                   fmt::format("the words of this core do not draw this {} within {:g} units: "
+                               "take a larger CoefBits or Order",
+                               move.table.name(), options_.error_limit));
+        }
+        for (const PlannedMove& planned : table_stretches(program_, machine_, segments.data(),
+                                                          segments.size(), options_.unit_mm)) {
+            geometry_.moves.push_back(planned);
+        }
+        for (Segment& segment : segments) turns_.leave_out(segment);
+        geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
+    }
+
+    void add_spline(std::size_t index) {
+        const Move& move = program_.moves[index];
         std::vector<Segment> segments;
         try {
             segments = spline_segments(program_, index, options_,

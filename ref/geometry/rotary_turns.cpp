@@ -47,7 +47,8 @@ double RotaryTurns::pieces(const Move& move) const {
 
 std::string RotaryTurns::beyond_words(const Move& move, std::size_t axis) const {
     const double travel = travelled(move, axis - 3);
-    const double one_segment = move.kind == Move::Kind::kCubic ? travel : 0;
+    const bool curve = move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable;
+    const double one_segment = curve ? travel : 0;
     if (travel == 0 || longest() > one_segment) return "";
     return fmt::format(
         "{}: words of a turn and a segment's {:.6g} degrees need more than "

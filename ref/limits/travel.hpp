@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 
+#include "ref/curve/drawn/table_curve.hpp"
 #include "ref/limits/path_shape.hpp"
 
 namespace curvecore::ref {
@@ -32,6 +33,26 @@ inline void include_turns(const Cubic& cubic, AxisRange& range) {
     }
 }
 
+/// Includes what a table's curve can reach between two of its places.
+inline void include_table(const Move& move, AxisRange& range) {
+    constexpr int kPlaces = 64;
+    const TableCurve curve(move.table, move.start, move.table_length);
+    double from = 0;
+    for (const double to : curve.step_ends()) {
+        const double gap = (to - from) / kPlaces;
+        const double beyond = curve.most_derivative(from, 2) * gap * gap / 8;
+        for (int i = 0; gap > 0 && i <= kPlaces; ++i) {
+            const Vec3 at = curve.position(from + gap * i);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double place = at[static_cast<Eigen::Index>(axis)];
+                range.low[axis] = std::min(range.low[axis], place - beyond);
+                range.high[axis] = std::max(range.high[axis], place + beyond);
+            }
+        }
+        from = to;
+    }
+}
+
 /// Returns the smallest and largest position of every axis. A cubic turns back at most twice per
 /// axis. An arc turns back where its tangent has no component along the axis: once or twice per
 /// turn.
@@ -44,6 +65,7 @@ inline AxisRange travel(const Move& move) {
         range.high[i] = std::max(from, to);
     }
     if (move.kind == Move::Kind::kCubic) include_turns(move.cubic, range);
+    if (move.kind == Move::Kind::kTable) include_table(move, range);
     if (move.kind != Move::Kind::kArc) return range;
     const Vec3 n = move.start - move.centre;
     const Vec3 t = move.normal.cross(n);

@@ -36,6 +36,7 @@ double Move::length() const {
     if (kind == Kind::kCubic) {
         return arc_length(cubic, 0, 1);
     }
+    if (kind == Kind::kTable) return table_length;
     const double xyz = (end - start).norm();
     if (xyz > 0) {
         return xyz;

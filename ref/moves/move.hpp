@@ -8,6 +8,7 @@
 
 #include "ref/curve/axes.hpp"
 #include "ref/curve/cubic.hpp"
+#include "ref/curve/drawn/table_piece.hpp"
 
 namespace curvecore::ref {
 
@@ -15,8 +16,8 @@ namespace curvecore::ref {
 /// without P, and before any mode.
 constexpr double kPathTolerance = 0.01;  // mm
 
-/// A straight line, an arc (circle, helix, any plane) or a cubic, with auxiliary axes linear in
-/// path length.
+/// A straight line, an arc (circle, helix, any plane), a cubic or the curve of a table, with
+/// auxiliary axes linear in path length.
 ///
 /// | field    | unit    | remark                                                             |
 /// |----------|---------|--------------------------------------------------------------------|
@@ -27,10 +28,12 @@ constexpr double kPathTolerance = 0.01;  // mm
 /// |          |         | helix, in the plane where the radii at both ends differ             |
 /// | cubic    | mm      | its ends are `start` and `end` to 1e-8 mm; length > 0, may stand    |
 /// |          |         | still in points (cusps)                                            |
+/// | table    | mm      | its rows at `start`; its end is `end` to 1e-6 mm                   |
+/// | table_length | mm  | of a table's curve                                                 |
 /// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
 /// | from, to | mm      | the programmed path that it draws, by the length of all moves       |
 struct Move {
-    enum class Kind { kLine, kArc, kCubic };
+    enum class Kind { kLine, kArc, kCubic, kTable };
 
     Kind kind = Kind::kLine;
     int line = 0;  // in the program's file, from 1
@@ -42,6 +45,8 @@ struct Move {
     double angle = 0;
     Vec3 advance = Vec3::Zero();
     Cubic cubic;
+    TablePiece table;
+    double table_length = 0;
     Aux aux_start{};
     Aux aux_end{};
     double feed = 0;

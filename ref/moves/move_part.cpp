@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/curve/drawn/table_curve.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -40,6 +41,10 @@ MovePlace MovePlace::by_length() const {
 MovePlace place_on(const Move& move, double s) {
     if (move.kind == Move::Kind::kCubic) return on_cubic(move.cubic, s);
     if (move.kind == Move::Kind::kArc) return on_arc(move, s);
+    if (move.kind == Move::Kind::kTable) {
+        const TableCurve curve(move.table, move.start, move.table_length);
+        return {curve.position(s), curve.direction(s), curve.bend(s)};
+    }
     MovePlace place;
     place.tangent = (move.end - move.start).normalized();
     place.position = move.start + s * place.tangent;
@@ -59,6 +64,11 @@ Move part_of(const Move& move, double from, double to) {
     if (move.kind == Move::Kind::kCubic) {
         const double u0 = from > 0 ? parameter_at(move.cubic, from) : 0;
         part.cubic = sub_cubic(move.cubic, u0, to < length ? parameter_at(move.cubic, to) : 1);
+    }
+    if (move.kind == Move::Kind::kTable) {
+        const TableCurve curve(move.table, move.start, move.table_length);
+        if (from > 0) part.table = curve.piece_at(from);
+        part.table_length = to - from;
     }
     for (std::size_t i = 0; i < kAuxAxes; ++i) {
         const double rate = (move.aux_end[i] - move.aux_start[i]) / length;

@@ -17,8 +17,8 @@ constexpr std::size_t kPieces = 16;  // mean number of pieces of a window's move
 
 bool smoothable(const Move& move) {
     const bool moves = move.kind == Move::Kind::kArc || move.start != move.end;  // X Y Z
-    return move.tolerance > 0 && move.kind != Move::Kind::kCubic && moves &&
-           move.aux_start == move.aux_end;
+    return move.tolerance > 0 && move.kind != Move::Kind::kCubic &&
+           move.kind != Move::Kind::kTable && moves && move.aux_start == move.aux_end;
 }
 
 bool together(const Move& a, const Move& b) {

@@ -36,7 +36,7 @@ struct Segment {
     double feed_end = 0;
 
     CurveKind kind() const { return static_cast<CurveKind>(curve.index()); }
-    /// Returns "line", "arc", "helix" or "spline".
+    /// Returns "line", "arc", "helix", "spline" or a table's name.
     const char* kind_name() const {
         return std::visit([](const auto& piece) { return piece.name(); }, curve);
     }
@@ -46,6 +46,8 @@ struct Segment {
     const ArcPiece& arc() const { return std::get<ArcPiece>(curve); }
     SplinePiece& spline() { return std::get<SplinePiece>(curve); }
     const SplinePiece& spline() const { return std::get<SplinePiece>(curve); }
+    TablePiece& table() { return std::get<TablePiece>(curve); }
+    const TablePiece& table() const { return std::get<TablePiece>(curve); }
 };
 
 /// Properties that all parts of a plan share.

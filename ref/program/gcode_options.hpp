@@ -2,9 +2,11 @@
 // Options of the G-code reader.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "ref/curve/fit/cubic_fit.hpp"
+#include "ref/curves/curve_table.hpp"
 #include "ref/gcode/lines/dialect.hpp"
 #include "ref/gcode/state/program_start.hpp"
 #include "ref/moves/events.hpp"
@@ -16,6 +18,7 @@ struct GcodeOptions {
     std::optional<Dialect> dialect;        // none: recognised from the program
     ProgramStart start;
     Obeyed obeyed{};
+    std::shared_ptr<const CurveTable> table = {};  // of curves that comments name
 };
 
 }  // namespace curvecore::ref

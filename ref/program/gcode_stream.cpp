@@ -31,7 +31,7 @@ std::vector<double> macro_arguments(Block& block) {
 GcodeStream::GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options)
     : file_(file),
       recognised_(!options.dialect),
-      interpreter_(file_, options.fit_tolerance, parameters_, options.start),
+      interpreter_(file_, options.fit_tolerance, parameters_, options.start, options.table.get()),
       flow_(text, file_, parameters_, options.dialect, options.start.folders) {
     const ProgramStart& start = options.start;
     if (!start.startup.empty()) {
@@ -47,6 +47,7 @@ bool GcodeStream::read() {
     if (line == nullptr) return false;
     const Place place = flow_.place();
     if (!line->warning.empty()) interpreter_.warn(line->warning, place);
+    if (line->curve) interpreter_.name_curve(*line->curve, place);
     if (!line->note.empty()) {
         interpreter_.note(line->note, line->waits, place);
         return true;

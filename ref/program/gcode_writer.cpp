@@ -162,6 +162,10 @@ std::string gcode_of(const std::string& file, const std::vector<Move>& moves) {
             text += arc(file, move, feed);
         } else if (move.kind == Move::Kind::kCubic) {
             text += cubic(file, move, feed);
+        } else if (move.kind == Move::Kind::kTable) {
+            throw InputError(
+                file, move.line,
+                fmt::format("a curve of the table {} is not written as G-code", move.table.name()));
         } else {
             text += (move.rapid ? "G0" : "G1") + point_words(move.end, true) + aux_words(move) +
                     feed + "\n";

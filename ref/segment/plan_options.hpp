@@ -30,7 +30,7 @@ struct CurveTime {
 /// | samples_ahead | 1    | samples that the core makes ahead of the one that is due            |
 /// | branch_steps  | 1    | steps of a stop branch that the core loads in a tick; 0: any number |
 struct CoreTime {
-    ByKind<CurveTime> curve{{{{2e-6, 2e-6}, {4e-6, 4e-6}}}};
+    ByKind<CurveTime> curve{{{{2e-6, 2e-6}, {4e-6, 4e-6}, {4e-6, 4e-6}}}};
     bool ahead = true;
     double sample = 0;
     int samples_ahead = 2;

@@ -9,7 +9,7 @@ KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settin
                          const QueueDepths& depths)
     : core_(core),
       target_(settings.override_word),
-      segment_words_(static_cast<std::size_t>(ref::segment_bus_words(core.aux_axes))),
+      segment_words_(static_cast<std::size_t>(core.segment_words())),
       segments_{static_cast<std::size_t>(depths.segments), {}},
       profile_{static_cast<std::size_t>(depths.profile), {}},
       scaler_(settings.hold_acceleration, static_cast<std::int64_t>(settings.hold_slope)),

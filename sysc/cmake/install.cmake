@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rules of `cmake --install`, in three components:
-#   libraries   ref, hls and the host's side, for find_package(curvecore)
+#   libraries   ref, hls and the host's side, with the assembler that it asks for the engine's
+#               clocks, for find_package(curvecore)
 #   rtl         the cores' sources with their file lists
 #   program     curvecore
 include(GNUInstallDirs)
@@ -8,7 +9,7 @@ include(CMakePackageConfigHelpers)
 
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/curvecore)  # they include each other as "ref/..", "hls/.."
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/curvecore)
-foreach(library ref hls host)
+foreach(library ref hls host assembler)
   set_target_properties(curvecore_${library} PROPERTIES EXPORT_NAME ${library})
   add_library(curvecore::${library} ALIAS curvecore_${library})
   install(TARGETS curvecore_${library} EXPORT curvecore COMPONENT libraries

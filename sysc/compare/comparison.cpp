@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "hls/quantise.hpp"
+#include "sysc/core/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 namespace {

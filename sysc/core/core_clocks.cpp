@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "rtl/engine/assembler/worst_case.hpp"
+#include "rtl/engine/compiler/curve_assembler.hpp"
 #include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
@@ -25,9 +27,45 @@ hls::TimedCore timed_core(const CoreParameters& parameters) {
     return core;
 }
 
+namespace {
+
+/// Clocks of a further word of a segment, which enters and is fetched.
+constexpr int kFurtherClocks = hls::kEngineEntryClocks + 60;
+
+/// Clocks of the engine along its table: those of its own programs, and what segments of arcs take
+/// besides.
+hls::Clocks table_clocks(const CoreParameters& parameters) {
+    constexpr int kFetch = 1000;   // of a segment
+    constexpr int kMeasure = 108;  // of a step, besides its curve
+    const hls::TimedCore core = timed_core(parameters);
+    const ref::CurveTable& table = *parameters.table;
+    try {
+        const assembler::Assembly programs = assembler::curve_program(table, parameters);
+        const auto clocks = [&](const char* part) {
+            return assembler::worst_case(programs, table.name + "_" + part, {"idle"});
+        };
+        const int sample = hls::engine_sample_clocks(core, clocks("sample"));
+        return {sample, sample + kMeasure + clocks("step"),
+                sample + kFetch + clocks("load") + hls::engine_entry_clocks(core)};
+    } catch (const assembler::AssemblyError& error) {
+        throw UsageError(
+            fmt::format("the engine has no room for the table {}: {}; a lower Order "
+                        "needs less",
+                        table.name, error.what()));
+    }
+}
+
+}  // namespace
+
 hls::Clocks core_clocks(const CoreParameters& parameters, CurveKind kind) {
     const hls::TimedCore core = timed_core(parameters);
-    return kind == CurveKind::kSpline ? hls::spline_clocks(core) : hls::arc_clocks(core);
+    const bool engine = parameters.build == Build::kEngine;
+    hls::Clocks clocks = kind == CurveKind::kTable && parameters.table && engine
+                             ? table_clocks(parameters)
+                         : kind == CurveKind::kArc ? hls::arc_clocks(core)
+                                                   : hls::spline_clocks(core);
+    if (engine) clocks.segment += kFurtherClocks * parameters.further_words;
+    return clocks;
 }
 
 hls::Clocks change_clocks(const CoreParameters& parameters, CurveKind kind) {
@@ -68,6 +106,7 @@ double least_period_clocks(const CoreParameters& parameters, bool splines, int s
     double least = hls::tick_clocks(timed_core(parameters)) / double(samples_per_tick);
     for (const CurveKind kind : ref::kCurveKinds) {
         if (kind == CurveKind::kSpline && !splines) continue;
+        if (kind == CurveKind::kTable && !parameters.table) continue;
         const hls::Clocks clocks = core_clocks(parameters, kind);
         double period = clocks.sample + tick_share(parameters, samples_per_tick);
         if (hls::in_turn(parameters.build)) {

@@ -3,7 +3,10 @@
 // integers, cut to their words' widths where a network's table has them, ranges noted.
 #pragma once
 
+#include <array>
+
 #include "hls/curve_kernel.hpp"
+#include "ref/curves/curve_table.hpp"
 #include "ref/moves/move.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/core/value_ranges.hpp"
@@ -24,6 +27,8 @@ struct RunTimeFormat {
           kTop(core.anchor != 0 ? core.order - 1 : core.order),
           kAnchor(core.anchor != 0),
           kSeries(!core.polynomial()),
+          kFurtherWords(core.further_words),
+          kTable(core.table),
           ranges_(ranges) {}
 
     using Coef = std::int64_t;
@@ -31,6 +36,10 @@ struct RunTimeFormat {
     using Position = std::int64_t;
     using FineParameter = std::int64_t;
     using Product = hls::Word<128>;
+    struct Further : std::array<Coef, ref::kMostFurther> {
+        Coef& operator[](int n) { return data()[n]; }
+        const Coef& operator[](int n) const { return data()[n]; }
+    };
     static constexpr int kMostOrder = hls::kMostOrder;
     static constexpr int kMostAxes = 3 + ref::kAuxAxes;
 
@@ -41,13 +50,14 @@ struct RunTimeFormat {
     int kOrder, kCoefBits, kGuardBits, kParameterGuard, kAxes, kFineBits;
     int kCoefFrac, kUnitFrac, kTop;
     bool kAnchor, kSeries;
+    int kFurtherWords;
+    std::shared_ptr<const ref::CurveTable> kTable;  // none, or that of the core
 
   private:
     ValueRanges* ranges_;
 };
 
 using RunSegment = hls::SegmentWords<RunTimeFormat>;
-using RunTimeKernel = hls::MotionKernel<RunTimeFormat>;
 constexpr int kMostAxes = RunTimeFormat::kMostAxes;
 
 }  // namespace curvecore::sysc

@@ -27,14 +27,16 @@ class TableKernel {
 
     void load(const RunSegment& words) {
         k_ = words.step_exponent;
-        const std::map<std::string, const std::int64_t*> fields{{"theta", &words.theta},
-                                                                {"tangent", words.tangent},
-                                                                {"normal", words.normal},
-                                                                {"advance", words.advance}};
-        for (const auto& [field, row] : table_.bus) {
+        for (const auto& [name, row] : table_.bus) {
             const ref::CurveRow& of = table_.rows.at(row);
+            const ref::BusPlace place = ref::bus_place(name);
+            const std::int64_t* const field = place.further()            ? words.further.data()
+                                              : place.field == "theta"   ? &words.theta
+                                              : place.field == "tangent" ? words.tangent
+                                              : place.field == "normal"  ? words.normal
+                                                                         : words.advance;
             for (int axis = 0; axis < (of.of_axis ? 3 : 1); ++axis) {
-                const Real word(fields.at(field)[axis]);
+                const Real word(field[place.number + axis]);
                 machine_.set(row, ldexp(word, -coef_bits_ - of.fraction), axis);
             }
         }

@@ -148,6 +148,7 @@ CachedModel core_model(const CoreParameters& parameters) {
     simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
     std::istringstream text(ref::parameters_text(simulated));
     for (std::string word; text >> word;) model.parameters.push_back(word);
+    if (parameters.table) model.parameters.push_back("Tables=1");
     return model;
 }
 

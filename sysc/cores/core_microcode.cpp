@@ -29,8 +29,9 @@ CoreMicrocode::CoreMicrocode(const CoreParameters& parameters, const assembler::
         files_ = assembler::microcode_files(
             assembler::motion_program(parameters, queues, sources.string(), rate_bits));
     } catch (const assembler::AssemblyError& error) {
-        throw UsageError(fmt::format("there is no engine with {}: {}",
-                                     ref::parameters_text(parameters), error.what()));
+        throw UsageError(fmt::format(
+            "there is no engine with {}: {}{}", ref::parameters_text(parameters), error.what(),
+            parameters.table ? "; a table needs less at a lower Order" : ""));
     }
 }
 

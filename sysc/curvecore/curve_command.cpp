@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore curve`: a table of a curve (ref/curves/curve_table.hpp): its rows, what the engine
-// needs for it, and how far its words may be off a segment of it.
+// needs for it, how far its words may be off a segment of it; and the curve drawn as a part is.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "ref/bound/table_bound.hpp"
+#include "ref/curve/drawn/table_curve.hpp"
+#include "ref/curves/derive_table.hpp"
 #include "ref/curves/order_demand.hpp"
+#include "ref/curves/row_powers.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
+#include "sysc/commands/options/part_options.hpp"
 #include "sysc/commands/options/typed_option.hpp"
+#include "sysc/commands/part/run_job.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/curvecore/commands.hpp"
+#include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
-enum class CurveAction { kCheck };
-constexpr std::array<std::string_view, 1> kCurveActions{"check"};
+enum class CurveAction { kCheck, kRun, kDerive };
+constexpr std::array<std::string_view, 3> kCurveActions{"check", "run", "derive"};
 
 /// A row's values of a segment, of X Y Z where it has axes.
 struct RowValues {
@@ -28,12 +38,17 @@ struct RowValues {
 
 struct CurveOptions {
     CurveAction action = CurveAction::kCheck;
-    std::string file;
-    std::vector<ParameterList> set;
+    PartOptions part;
     std::vector<RowValues> rows;
     int step_exponent = 20;
     int down = 0;
     int steps = 1;
+    double feed = 1000.0 / 60;           // mm/s
+    double length = 0;                   // mm, of what is drawn
+    std::vector<double> start{0, 0, 0};  // mm
+    ref::CurveFormula formula;           // mm; without coordinates: there is none
+    std::string x, y, z;
+    std::vector<RowValues> constants;
 };
 
 RowValues row_values(const std::string& option, const std::string& text) {
@@ -44,16 +59,15 @@ RowValues row_values(const std::string& option, const std::string& text) {
     return {text.substr(0, equals), list_of(plain_number)(option, text.substr(equals + 1))};
 }
 
-/// The segment that is asked for. @throws UsageError: a row that the bus has not, or without value
-ref::TableSegment segment_of(const ref::CurveTable& table, const CurveOptions& asked) {
-    ref::TableSegment segment;
-    segment.k = asked.step_exponent;
-    segment.lambda = asked.step_exponent + asked.down;
-    segment.steps = asked.steps;
+/// The rows that are asked for, by their places on the bus: all that the table takes.
+/// @throws UsageError: a row that the bus has not, twice or without its values
+std::map<std::string, std::array<double, 3>> rows_of(const ref::CurveTable& table,
+                                                     const CurveOptions& asked) {
+    std::map<std::string, std::array<double, 3>> values;
     std::vector<std::string> names;
     for (const auto& [field, row] : table.bus) names.push_back(row);
     for (const RowValues& of : asked.rows) {
-        if (segment.values.count(of.row) != 0) {
+        if (values.count(of.row) != 0) {
             throw UsageError(fmt::format("--row {}: it has two values", of.row));
         }
         if (std::find(names.begin(), names.end(), of.row) == names.end()) {
@@ -65,14 +79,14 @@ ref::TableSegment segment_of(const ref::CurveTable& table, const CurveOptions& a
             throw UsageError(fmt::format("--row {}: expected {} values, not {}", of.row, count,
                                          of.values.size()));
         }
-        std::copy(of.values.begin(), of.values.end(), segment.values[of.row].begin());
+        std::copy(of.values.begin(), of.values.end(), values[of.row].begin());
     }
     for (const std::string& row : names) {
-        if (segment.values.count(row) == 0) {
+        if (values.count(row) == 0) {
             throw UsageError(fmt::format("--row {}=..: {} needs its value", row, table.name));
         }
     }
-    return segment;
+    return values;
 }
 
 /// Memory and clocks of the engine for the curve alone.
@@ -116,32 +130,27 @@ std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
 
 constexpr int kLeastFraction = -16;
 
-/// Parameters that a table's words depend on.
-constexpr std::array<std::string_view, 5> kOfTables{"Order", "CoefBits", "PositionBits",
-                                                    "GuardBits", "Mode"};
-
-CoreParameters core_of(const CurveOptions& asked) {
-    CoreParameters core;
-    core.aux_axes = 0;
-    for (const ParameterList& list : asked.set) {
-        if (std::find(kOfTables.begin(), kOfTables.end(), list.row->name) == kOfTables.end()) {
-            throw UsageError(fmt::format("--set {}: a table's words depend on {} alone",
-                                         list.row->name, fmt::join(kOfTables, ", ")));
-        }
-        list.set(core);
-    }
-    return core;
+/// Checks that the core is one of those that a table's lines are rounded for.
+void check_core(const CoreParameters& core) {
+    if (core.anchor != 0 && core.parameter_guard == 0) return;
+    throw UsageError("--set: a table is drawn with Anchor=1 and ParameterGuard=0");
 }
 
-int curve_command(CurveOptions& asked) {
-    const ref::CurveTable table = ref::read_curve_table(asked.file);
-    const CoreParameters core = core_of(asked);
+int check(CurveOptions& asked) {
+    const ref::CurveTable table = ref::read_curve_table(asked.part.options.file);
+    const CoreParameters& core = asked.part.complete().core;
+    check_core(core);
     const std::string title = fmt::format("{}: {}\n", table.name, table.title);
     if (asked.rows.empty()) {
         fmt::print("{}{}{}", title, rows_text(table, core, nullptr), engine_text(table, core));
         return 0;
     }
-    const ref::TableError bound = ref::table_error(table, core, segment_of(table, asked));
+    ref::TableSegment segment;
+    segment.values = rows_of(table, asked);
+    segment.k = asked.step_exponent;
+    segment.lambda = asked.step_exponent + asked.down;
+    segment.steps = asked.steps;
+    const ref::TableError bound = ref::table_error(table, core, segment);
     fmt::print("{}{}{}", title, rows_text(table, core, &bound), engine_text(table, core));
     for (const std::string& row : bound.beyond) {
         const int fraction = table.rows.at(row).fraction;
@@ -154,6 +163,13 @@ int curve_command(CurveOptions& asked) {
                                      static_cast<int>(needed), fraction));
     }
     if (!bound.beyond.empty()) return 1;
+    if (!std::isfinite(bound.worst())) {
+        fmt::print(stderr,
+                   "{}: error: a series does not shrink in such steps, so nothing bounds what it "
+                   "leaves out: take a shorter step\n",
+                   table.file);
+        return 1;
+    }
     fmt::print(
         "error: {:.4g} length units at most on any axis, before the final rounding, in {} step{} "
         "of "
@@ -162,38 +178,211 @@ int curve_command(CurveOptions& asked) {
     return 0;
 }
 
+/// A table with the rows of a curve's start, and how long it is, mm.
+struct NamedCurve {
+    std::shared_ptr<const ref::CurveTable> table;
+    std::map<std::string, std::array<double, 3>> rows;
+    double length = 0;
+    ref::Vec3 start;
+    std::string text;  // of a table that is derived
+};
+
+/// Derives the table of the formulas that are asked for. @throws UsageError
+NamedCurve derived(const CurveOptions& asked) {
+    ref::CurveFormula formula = asked.formula;
+    formula.name = std::filesystem::path(asked.part.options.file).stem();
+    const bool named = !formula.name.empty() && std::isalpha(formula.name[0]) != 0 &&
+                       std::all_of(formula.name.begin(), formula.name.end(), [](unsigned char c) {
+                           return std::isalnum(c) != 0 || c == '_';
+                       });
+    if (!named)
+        throw UsageError(fmt::format("FILE '{}': the name of a curve is letters and digits",
+                                     asked.part.options.file));
+    if (asked.x.empty() || asked.y.empty()) {
+        throw UsageError("--x and --y: the formulas of a curve, and --z in space");
+    }
+    for (const RowValues& constant : asked.constants) {
+        if (constant.values.size() != 1) {
+            throw UsageError(fmt::format("--let {}: expected one number", constant.row));
+        }
+        formula.constants[constant.row] = constant.values[0];
+    }
+    formula.coordinates = {asked.x, asked.y};
+    if (!asked.z.empty()) formula.coordinates.push_back(asked.z);
+    try {
+        const ref::DerivedTable made = ref::derive_table(formula);
+        auto table = std::make_shared<ref::CurveTable>(
+            ref::read_curve_text(formula.name + ".net", made.text));
+        check_table_name(*table);
+        table->powers = ref::row_powers(*table);
+        return {table, made.rows, made.length,
+                ref::Vec3(made.start[0], made.start[1], made.start[2]), made.text};
+    } catch (const ref::FormulaError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+/// The curve that is asked for: of formulas, or of a table with its rows. @throws UsageError
+NamedCurve named_curve(const CurveOptions& asked) {
+    if (!asked.x.empty() || !asked.y.empty() || !asked.z.empty()) {
+        if (!asked.rows.empty() || asked.length > 0) {
+            throw UsageError("--x --y: the formulas say the rows and the length");
+        }
+        return derived(asked);
+    }
+    if (asked.start.size() != 3) throw UsageError("--start: expected X,Y,Z");
+    if (!(asked.length > 0)) throw UsageError("--length: the length of the curve, as 40mm");
+    NamedCurve curve;
+    curve.table = named_table(asked.part.options.file);
+    curve.rows = rows_of(*curve.table, asked);
+    curve.length = asked.length;
+    curve.start = ref::Vec3(asked.start[0], asked.start[1], asked.start[2]);
+    return curve;
+}
+
+/// The curve as a move. @throws UsageError: its series do not converge
+ref::Move move_along(const NamedCurve& curve) {
+    ref::Move move;
+    move.kind = ref::Move::Kind::kTable;
+    move.start = curve.start;
+    move.table.table = curve.table.get();
+    for (const auto& [place, row] : curve.table->bus) {
+        const std::size_t axes = curve.table->rows.at(row).of_axis ? 3 : 1;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            move.table.at(place, static_cast<int>(axis)) = curve.rows.at(row)[axis];
+        }
+    }
+    move.table_length = move.to = curve.length;
+    try {
+        move.end =
+            ref::TableCurve(move.table, move.start, move.table_length).position(move.table_length);
+    } catch (const std::domain_error& error) {
+        throw UsageError(fmt::format("{}: {}", curve.table->file, error.what()));
+    }
+    return move;
+}
+
+/// Draws the curve as a program of one move.
+int run(CurveOptions& asked) {
+    PartOptions& part = asked.part;
+    const NamedCurve curve = named_curve(asked);
+    part.options.gcode.table = curve.table;
+    Options options = part.complete();
+    check_core(options.core);
+    ref::HeldProgram program;
+    program.file = curve.table->file;
+    program.moves.push_back(move_along(curve));
+    program.moves.back().feed = asked.feed;
+    options.program = std::make_shared<const ref::HeldProgram>(std::move(program));
+    Runner runner(std::move(options));
+    OutputFolder folder(runner.job().options.folder);
+    RunExtras extras;
+    if (!curve.text.empty()) {
+        extras.finish = [&curve](const Report&, OutputFolder& to) {
+            to.write(curve.table->file, curve.text);
+            return true;
+        };
+    }
+    return runner.run(folder, extras);
+}
+
+/// Writes the table of formulas, and says how a program names the curve.
+int derive(CurveOptions& asked) {
+    const NamedCurve curve = derived(asked);
+    const ref::Move move = move_along(curve);
+    const std::string& file = asked.part.options.file;
+    if (std::filesystem::path(file).extension() != ".net") {
+        throw UsageError(fmt::format("FILE '{}': a table is NAME.net", file));
+    }
+    std::ofstream out(file);
+    out << curve.text;
+    out.close();
+    if (!out) throw UsageError(fmt::format("cannot write {}", file));
+    std::string comment = fmt::format("(curve, {}", curve.table->name);
+    for (const auto& [row, values] : curve.rows) {
+        comment += fmt::format(", {}={:.12g}", row, values[0]);
+        if (!curve.table->rows.at(row).of_axis) continue;
+        comment += fmt::format(" {:.12g} {:.12g}", values[1], values[2]);
+    }
+    fmt::print("G1 X{:.6f} Y{:.6f} Z{:.6f}\n{}, length={:.9f})\nG1 X{:.6f} Y{:.6f} Z{:.6f}\n",
+               move.start.x(), move.start.y(), move.start.z(), comment, curve.length, move.end.x(),
+               move.end.y(), move.end.z());
+    return 0;
+}
+
+int curve_command(CurveOptions& asked) {
+    if (asked.action == CurveAction::kDerive) return derive(asked);
+    return asked.action == CurveAction::kCheck ? check(asked) : run(asked);
+}
+
 }  // namespace
 
 void add_curve(CLI::App& app, int& status) {
     auto [command, asked] = add_command(
-        app, status, "curve", "a curve's table: its rows, its cost, its error", curve_command);
+        app, status, "curve",
+        "a curve's table: its rows, its cost, its error; the curve drawn as a part", curve_command);
     begin_group(command, group::kInput);
     add_choice(command, "ACTION", asked.action, kCurveActions,
-               "{}: its rows, what the engine needs, "
-               "and with --row the bound of a segment")
+               "{}; check: its rows, what the engine needs, and with --row the bound of a segment; "
+               "run: draws it and compares every sample, as the command run does; derive: writes "
+               "the table of formulas, and says how a program names it")
         ->required();
-    add_text(command, "FILE", asked.file, "FILE.net", "the table")->required();
-    begin_group(command, group::kCore);
-    add_values(command, "--set", asked.set, "NAME=VALUE", "a parameter of the core",
-               [](const std::string&, const std::string& text) { return single_parameter(text); });
-    begin_group(command, group::kPlan);
+    add_text(command, "FILE", asked.part.options.file, "FILE.net",
+             "the table; of run also the name of one in ref/curves, or with formulas one that is "
+             "not there")
+        ->required();
+    for (const auto& [name, text] :
+         {std::pair("--x", &asked.x), std::pair("--y", &asked.y), std::pair("--z", &asked.z)}) {
+        add_text(command, name, *text, "FORMULA",
+                 fmt::format("of run and derive: {} of the curve, mm, by t", name + 2));
+    }
+    add_value(command, "--t", asked.formula, "FROM,TO", "of formulas: t at both ends",
+              [&formula = asked.formula](const std::string& option, const std::string& text) {
+                  const std::vector<double> ends = list_of(plain_number)(option, text);
+                  if (ends.size() != 2 || !(ends[0] < ends[1])) {
+                      throw UsageError(option + ": expected FROM,TO, from less to more");
+                  }
+                  ref::CurveFormula made = formula;
+                  made.from = ends[0];
+                  made.to = ends[1];
+                  return made;
+              });
+    add_values(command, "--let", asked.constants, "NAME=VALUE", "a number that formulas name",
+               row_values);
     CLI::Option* const rows = add_values(
         command, "--row", asked.rows, "ROW=VALUE",
-        "a row of the bus in the segment, ROW=X,Y,Z where it has axes; once for each row",
+        "a row of the bus at the start, ROW=X,Y,Z where it has axes, once for each row; of check "
+        "in steps, of run where the path is 1 mm long",
         row_values);
-    add_value(command, "--step-exponent", asked.step_exponent, "K", "a step is 2^K length units",
-              within(whole, 0, 27, "in [0, 27]"))
+    begin_group(command, group::kPlan);
+    add_value(command, "--length", asked.length, "LENGTH", "of run: of the curve",
+              in_range(length, 1e-3, 1e6))
+        ->needs(rows);
+    add_value(command, "--start", asked.start, "X,Y,Z", "of run: mm; default 0,0,0",
+              list_of(plain_number));
+    add_value(command, "--feed", asked.feed, "SPEED", "of run, along the curve: 1m/min, 20mm/s",
+              speed)
+        ->default_val("1m/min");
+    add_value(command, "--step-exponent", asked.step_exponent, "K",
+              "of check: a step is 2^K length units", within(whole, 0, 27, "in [0, 27]"))
         ->needs(rows)
         ->default_val("20");
-    add_value(command, "--down", asked.down, "S", "scale of the segment over that of a step, 2^S",
+    add_value(command, "--down", asked.down, "S",
+              "of check: scale of the segment over that of a step, 2^S",
               within(whole, 0, 27, "in [0, 27]"))
         ->needs(rows)
         ->default_val("0");
-    add_value(command, "--steps", asked.steps, "N", "steps of the segment",
+    add_value(command, "--steps", asked.steps, "N", "of check: steps of the segment",
               within(whole, 1, 100, "in [1, 100]"))
         ->needs(rows)
         ->default_val("1");
-    command.footer("Exit status: 0; 1 a row leaves its range; 2 the input is wrong.");
+    add_surroundings(command, asked.part);
+    add_timed_core(command, asked.part);
+    add_report(command, asked.part);
+    add_drawing(command, asked.part);
+    command.footer(
+        "Exit status: 0; 1 a row leaves its range, or a check failed; 2 the input is "
+        "wrong.");
 }
 
 }  // namespace curvecore::sysc

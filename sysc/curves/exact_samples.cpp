@@ -3,10 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <random>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/curve/drawn/table_curve.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/limits/path_shape.hpp"
 
@@ -28,6 +30,12 @@ class ExactMove {
                       move.cubic.d / unit_};
             path_.emplace(cubic_);
             length_ = path_->length();
+            return;
+        }
+        if (move.kind == ref::Move::Kind::kTable) {
+            length_ = move.table_length / unit_;
+            curve_ = std::make_shared<const ref::TableCurve>(move.table.rescaled(1 / unit_),
+                                                             move.start / unit_, length_);
             return;
         }
         const ref::PathShape shape = ref::path_shape(move);
@@ -52,6 +60,9 @@ class ExactMove {
             const double u = path_->parameter(s);
             position = cubic_.position(u);
             direction = cubic_.velocity(u);
+        } else if (curve_) {
+            position = curve_->position(s);
+            direction = curve_->direction(s);
         } else {
             // Sines of half the angle keep all digits for a far centre.
             const double angle = twist_ * s;
@@ -85,6 +96,7 @@ class ExactMove {
     ref::Vec3 advance_ = ref::Vec3::Zero();
     ref::Cubic cubic_;
     std::optional<ref::ArcLength> path_;
+    std::shared_ptr<const ref::TableCurve> curve_;
 };
 
 }  // namespace

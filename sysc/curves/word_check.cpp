@@ -7,7 +7,7 @@
 
 #include "hls/quantise.hpp"
 #include "ref/text/input_error.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/core/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 

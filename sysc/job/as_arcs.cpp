@@ -15,9 +15,8 @@ FormCost cost_of(const char* form, JobStream& stream) {
     cost.form = form;
     while (const ref::Plan* part = stream.next()) {
         cost.segments += part->segments.size();
-        cost.words +=
-            ref::segment_bus_words(stream.job().options.core.aux_axes) * part->segments.size() +
-            ref::profile_words(*part);
+        cost.words += stream.job().options.core.segment_words() * part->segments.size() +
+                      ref::profile_words(*part);
         cost.duration_s += part->duration_s;
     }
     cost.moves = stream.moves();

@@ -36,8 +36,8 @@ void DrawnPlan::append(const ref::Segment& segment) {
     segments.push_back(segment);
 }
 
-std::size_t DrawnPlan::words(int core_axes) const {
-    return ref::segment_bus_words(core_axes) * segments.size() + profile_words_.size();
+std::size_t DrawnPlan::words(int segment_words) const {
+    return static_cast<std::size_t>(segment_words) * segments.size() + profile_words_.size();
 }
 
 std::pair<const std::uint64_t*, std::size_t> DrawnPlan::words_of(std::size_t piece) const {

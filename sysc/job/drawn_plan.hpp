@@ -31,8 +31,8 @@ class DrawnPlan : public ref::PlanFrame {
 
     /// Length of the whole path, quanta.
     std::uint64_t path_length() const { return segments.back().s_start + segments.back().length; }
-    /// Number of words of both streams, for a core with `core_axes` auxiliary axes.
-    std::size_t words(int core_axes) const;
+    /// Number of words of both streams, for a core whose segments have so many each.
+    std::size_t words(int segment_words) const;
     /// Returns the words of a piece and their number; those of a stop branch come first.
     std::pair<const std::uint64_t*, std::size_t> words_of(std::size_t piece) const;
     /// Number of segments of a kind.

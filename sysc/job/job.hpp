@@ -37,7 +37,7 @@ struct Job {
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
     /// Number of words of both streams.
-    std::size_t words() const { return plan.words(options.core.aux_axes); }
+    std::size_t words() const { return plan.words(options.core.segment_words()); }
     /// Returns true if the drawn path differs from the programmed one.
     bool is_smooth() const;
 };

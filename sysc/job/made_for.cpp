@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "hls/registers/board_facts.h"
+#include "ref/curves/curve_table.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -38,6 +39,14 @@ std::uint16_t with(std::uint16_t digest, double value) {
     return curvecore_digest(digest, static_cast<std::uint32_t>(bits >> 32));
 }
 
+/// Words of another table are not for the board.
+std::uint16_t with(std::uint16_t digest, const ref::CurveTable& table) {
+    for (const char c : table.text) {
+        digest = curvecore_digest(digest, static_cast<unsigned char>(c));
+    }
+    return digest;
+}
+
 }  // namespace
 
 MadeFor made_for(const Options& options, const ref::Machine& machine) {
@@ -53,6 +62,9 @@ MadeFor made_for(const Options& options, const ref::Machine& machine) {
                                    axis.rotary ? 1.0 : 0.0}) {
             host = with(host, limit);
         }
+    }
+    if (options.core.table) {
+        host = with(host, *options.core.table);
     }
     return {board_digest(options), host};
 }

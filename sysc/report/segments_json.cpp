@@ -38,6 +38,23 @@ void spline(Text& text, const ref::SplinePiece& piece) {
     fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", piece.lambda, piece.beta);
 }
 
+/// Writes the rows of a table's bus at the segment's start, in powers of 1 / length unit.
+void rows(Text& text, const ref::TablePiece& piece) {
+    const auto out = std::back_inserter(text);
+    const char* comma = "";
+    fmt::format_to(out, ", \"rows\": {{");
+    for (const auto& [row, values] : piece.rows(1)) {
+        const std::size_t axes = piece.table->rows.at(row).of_axis ? 3 : 1;
+        fmt::format_to(out, "{}\"{}\": [", comma, row);
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            fmt::format_to(out, "{}{:.15g}", axis == 0 ? "" : ", ", values[axis]);
+        }
+        fmt::format_to(out, "]");
+        comma = ", ";
+    }
+    text.push_back('}');
+}
+
 /// Number as text; JSON has no infinity, so a cusp's curvature is null.
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
@@ -79,6 +96,8 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
         point(text, "end_mm", job, segment.end, segment.aux_end, segment.aux_turned);
         const auto* piece = std::get_if<ref::SplinePiece>(&segment.curve);
         if (piece != nullptr) spline(text, *piece);
+        if (segment.kind() == ref::CurveKind::kTable) rows(text, segment.table());
+        const double radius = segment.kind() == ref::CurveKind::kArc ? segment.arc().radius : 0;
         shape(text, segment, job.plan.unit_mm);
         fmt::format_to(out,
                        ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
@@ -86,8 +105,7 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
                        "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"ticks\": {}, \"words\": [",
                        segment.s_start, segment.length,
                        std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
-                       (piece != nullptr ? 0 : segment.arc().radius) * job.plan.unit_mm,
-                       segment.step_exponent,
+                       radius * job.plan.unit_mm, segment.step_exponent,
                        job.bounded(segment.kind()) ? fmt::format("{:.6g}", segment.bound) : "null",
                        segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";

@@ -22,7 +22,7 @@ QueueGuard::QueueGuard(const Job& job)
 std::pair<std::uint64_t, std::int64_t> QueueGuard::item(Stream stream, std::size_t index) const {
     const DrawnPlan& plan = job_.plan;
     if (stream == Stream::kProfile) return {plan.words_of(index).second, plan.pieces[index].ticks};
-    const int words = ref::segment_bus_words(job_.options.core.aux_axes);
+    const int words = job_.options.core.segment_words();
     return {static_cast<std::uint64_t>(words), plan.segments[index].ticks};
 }
 

@@ -48,7 +48,7 @@ void JoinedSegments::join(const ref::Segment& segment, RunSegment& words) const 
 std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
     const RunTimeFormat& format = segments_.format();
     std::vector<std::uint64_t> bus(
-        static_cast<std::size_t>(ref::segment_bus_words(format.kAxes - 3)));
+        static_cast<std::size_t>(ref::segment_bus_words(format.kAxes - 3) + format.kFurtherWords));
     const auto number = static_cast<unsigned>(segments_.count());
     hls::pack(segments_.next(segment), number, bus.data(), format);
     check_.seal(bus.data(), bus.size());

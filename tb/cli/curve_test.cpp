@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "tb/cli/program_run.hpp"
 
@@ -105,12 +106,138 @@ TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
               "curvecore: error: --row sigma: it has two values\n");
     EXPECT_EQ(refusal(of({"--steps", "0"})), "curvecore: error: --steps must be in [1, 100]\n");
     EXPECT_EQ(refusal(of({"--steps", "4"})), "curvecore: error: --steps requires --row\n");
-    EXPECT_EQ(refusal(of({"--set", "Anchor=0"})),
-              "curvecore: error: --set Anchor: a table's words depend on Order, CoefBits, "
-              "PositionBits, GuardBits, Mode alone\n");
+    EXPECT_EQ(refusal(of({"--set", "Anchor=0", "--set", "Splines=1"})),
+              "curvecore: error: --set: a table is drawn with Anchor=1 and ParameterGuard=0\n");
     EXPECT_EQ(refusal({"curve", "draw", "c.net"}),
-              "curvecore: error: ACTION 'draw': must be one of check\n");
+              "curvecore: error: ACTION 'draw': must be one of check, run, derive\n");
     EXPECT_EQ(refusal({"curve", "check", "none.net"}).substr(0, 9), "none.net:");
+}
+
+/// A formula that is in no file, from its text through the RTL.
+TEST_F(CurveCommand, DrawsAFormula) {
+    const Arguments formula{"wave.net", "--x", "20*t",       "--y", "8*sin(w*t)",
+                            "--let",    "w=2", "--t=-2,2.5", "-q"};
+    Arguments all{"curve", "run"};
+    all.insert(all.end(), formula.begin(), formula.end());
+    all.insert(all.end(), {"--sample-period", "1ms", "--feed", "3m/min", "--set", "Order=4",
+                           "--unit", "100nm", "-o", "out"});
+    const ProgramResult result = program_.run(all);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto report = nlohmann::json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["board"], "rtl");
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_LE(report["kinds"]["wave"]["of_bound"], 1);
+    EXPECT_GT(report["kinds"]["wave"]["samples"], 1000);
+    EXPECT_NE(program_.read("out/wave.net").find("\ncurve wave "), std::string::npos);
+
+    // The same by a program: derive says how it names the curve.
+    all = {"curve", "derive"};
+    all.insert(all.end(), formula.begin(), formula.end());
+    const ProgramResult derived = program_.run(all);
+    ASSERT_EQ(derived.status, 0) << derived.err;
+    program_.write("p.ngc", "G21 G90 G64 F3000\n" + derived.out + "M2\n");
+    const ProgramResult again =
+        program_.run({"run", "p.ngc", "--curve", "wave.net", "--on", "kernel", "--sample-period",
+                      "1ms", "--set", "Order=4", "--unit", "100nm", "-q", "-o", "again"});
+    ASSERT_EQ(again.status, 0) << again.err;
+    const auto second = nlohmann::json::parse(program_.read("again/report.json"));
+    EXPECT_LE(second["kinds"]["wave"]["of_bound"], 1);
+    EXPECT_GT(second["kinds"]["wave"]["samples"], 1000);
+}
+
+TEST_F(CurveCommand, SaysWhatIsNoFormula) {
+    const auto of = [&](const Arguments& more) {
+        Arguments all{"curve", "run", "f.net", "--t", "0,1"};
+        all.insert(all.end(), more.begin(), more.end());
+        return refusal(all);
+    };
+    EXPECT_EQ(of({"--x", "t", "--y", "sin(t"}),
+              "curvecore: error: 'sin(t': expected ')', not the end\n");
+    EXPECT_EQ(of({"--x", "R*t", "--y", "t"}),
+              "curvecore: error: 'R*t': R has no value: --let R=..\n");
+    EXPECT_EQ(of({"--x", "t", "--y", "2*t"}),
+              "curvecore: error: a straight line: it needs no table\n");
+    EXPECT_EQ(of({"--x", "t"}),
+              "curvecore: error: --x and --y: the formulas of a curve, and --z "
+              "in space\n");
+    EXPECT_EQ(of({"--x", "t", "--y", "t^2", "--length", "4mm", "--row", "T=1"}),
+              "curvecore: error: --x --y: the formulas say the rows and the length\n");
+    EXPECT_EQ(of({"--x", "t^2", "--y", "t^3"}).substr(0, 30), "curvecore: error: near t = 0 t");
+    EXPECT_EQ(refusal({"curve", "run", "f.net", "--x", "t", "--y", "t^2", "--t", "1,0"}),
+              "curvecore: error: --t: expected FROM,TO, from less to more\n");
+}
+
+/// A clothoid from a line into the curvature of a circle.
+class NamedCurves : public testing::Test {
+  protected:
+    NamedCurves() {
+        program_.write("p.ngc",
+                       "G21 G90 G64\nF3000 G1 X10\n(curve, clothoid, T=1 0 0, N=0 1 0, kappa=0, "
+                       "sigma=0.0025, length=40)\nG1 X36.7039 Y19.9525\nM2\n");
+    }
+
+    ProgramResult run(const Arguments& more) const {
+        Arguments all{"run", "p.ngc", "--sample-period", "1ms", "-q", "-o", "out"};
+        all.insert(all.end(), more.begin(), more.end());
+        return program_.run(all);
+    }
+    nlohmann::json json(const char* file) const {
+        return nlohmann::json::parse(program_.read(std::string("out/") + file));
+    }
+
+    ProgramRun program_;
+};
+
+TEST_F(NamedCurves, AreDrawnWithinTheirBound) {
+    const ProgramResult result =
+        run({"--curve", "clothoid", "--build", "engine", "--on", "kernel"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto report = json("report.json");
+    EXPECT_LT(report["limits"]["planned"]["joints"]["acceleration"], 1e-3) << "tangent joints";
+    const auto& kind = report["kinds"]["clothoid"];
+    EXPECT_GT(kind["samples"], 500);
+    EXPECT_LE(kind["of_bound"], 1);
+    EXPECT_GT(kind["of_bound"], 0.05);
+    int segments = 0;
+    for (const auto& segment : json("segments.json")["segments"]) {
+        if (segment["kind"] != "clothoid") continue;
+        ++segments;
+        EXPECT_NEAR(segment["curvature_end_per_mm"].get<double>() -
+                        segment["curvature_start_per_mm"].get<double>(),
+                    0.0025 * segment["length_mm"].get<double>(), 1e-8);
+        EXPECT_EQ(segment["rows"]["sigma"].size(), 1U);
+        EXPECT_EQ(segment["rows"]["T"].size(), 3U);
+    }
+    EXPECT_GT(segments, 0);
+}
+
+/// The engine's RTL is made as it is; its microcode has the table.
+TEST_F(NamedCurves, AreDrawnByTheRtlOfTheEngine) {
+    const ProgramResult result = run({"--curve", "clothoid", "--build", "engine"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto report = json("report.json");
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_EQ(report["board"], "rtl");
+}
+
+TEST_F(NamedCurves, AreRefusedWhereNothingDrawsThem) {
+    const auto refusal = [&](const Arguments& more) {
+        const ProgramResult result = run(more);
+        EXPECT_EQ(result.status, 2);
+        return result.err;
+    };
+    EXPECT_EQ(refusal({"--curve", "clothoid", "--build", "parallel"}),
+              "curvecore: error: --curve: a table is drawn by --build engine\n");
+    EXPECT_EQ(refusal({"--curve", "spirals"}).substr(0, 70),
+              "curvecore: error: --curve 'spirals': it is FILE.net, or one of arc, ar");
+    EXPECT_NE(refusal({"--curve", "spline"}).find("a program draws splines without a table"),
+              std::string::npos);
+    EXPECT_EQ(refusal({"--curve", "clothoid", "--interpreter", "linuxcnc"}),
+              "curvecore: error: --curve or --interpreter: LinuxCNC's does not know the comment\n");
+    EXPECT_EQ(refusal({}).substr(0, 33), "p.ngc:3: error: a curve 'clothoid'");
+    EXPECT_EQ(refusal({"--curve", "clothoid", "--on", "kernel", "--set", "CoefBits=20"}),
+              "p.ngc:4: error: the words of this core do not draw this clothoid within 0.1 units: "
+              "take a larger CoefBits or Order\n");
 }
 
 TEST_F(CurveCommand, NamesALineThatIsWrong) {

@@ -8,19 +8,21 @@
 
 #include "ref/curve/drawn/arc_piece.hpp"
 #include "ref/curve/drawn/spline_piece.hpp"
+#include "ref/curve/drawn/table_piece.hpp"
 #include "ref/format/parameters.hpp"
 
 namespace curvecore::ref {
 
-using DrawnCurve = std::variant<ArcPiece, SplinePiece>;
+using DrawnCurve = std::variant<ArcPiece, SplinePiece, TablePiece>;
 
 /// The kinds in the order of DrawnCurve.
-enum class CurveKind { kArc, kSpline };
-constexpr std::array<CurveKind, std::variant_size_v<DrawnCurve>> kCurveKinds = {CurveKind::kArc,
-                                                                                CurveKind::kSpline};
+enum class CurveKind { kArc, kSpline, kTable };
+constexpr std::array<CurveKind, std::variant_size_v<DrawnCurve>> kCurveKinds = {
+    CurveKind::kArc, CurveKind::kSpline, CurveKind::kTable};
 
 /// Returns true if a core of these parameters draws curves of this kind.
-constexpr bool draws(const CoreParameters& core, CurveKind kind) {
+inline bool draws(const CoreParameters& core, CurveKind kind) {
+    if (kind == CurveKind::kTable) return core.table != nullptr;
     return kind == CurveKind::kArc || core.splines != 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ref/feed/pieces/piece_loads.hpp"
 #include "ref/geometry/spline_geometry.hpp"
+#include "ref/geometry/table_geometry.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -23,6 +24,11 @@ Geometry moves_of(const Program& program, const Machine& machine, const Plan& pl
         if (program.moves[index].kind == Move::Kind::kCubic) {
             for (const PlannedMove& stretch :
                  spline_stretches(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
+                geometry.moves.push_back(stretch);
+            }
+        } else if (program.moves[index].kind == Move::Kind::kTable) {
+            for (const PlannedMove& stretch :
+                 table_stretches(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
                 geometry.moves.push_back(stretch);
             }
         } else {

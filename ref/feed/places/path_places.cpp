@@ -14,6 +14,12 @@ void put(const Vec3& xyz, AxisVector& all) {
     for (std::size_t i = 0; i < 3; ++i) all[i] = xyz[static_cast<Eigen::Index>(i)];
 }
 
+void put_aux(const Move& move, double length, PathPlace& place) {
+    for (std::size_t i = 0; i < kAuxAxes; ++i) {
+        place.d1[3 + i] = (move.aux_end[i] - move.aux_start[i]) / length;
+    }
+}
+
 double dot(const AxisVector& a, const AxisVector& b, std::size_t from, std::size_t to) {
     double sum = 0;
     for (std::size_t i = from; i < to; ++i) sum += a[i] * b[i];
@@ -60,6 +66,7 @@ PathPlace PathPlaces::at(std::size_t planned, double s) {
     const Move& move = program_.moves[part.move];
     if (move.kind == Move::Kind::kArc) return on_arc(move, part.shape, begin_[planned] + s);
     if (move.kind == Move::Kind::kCubic) return on_spline(move, begin_[planned] + s);
+    if (move.kind == Move::Kind::kTable) return on_table(move, begin_[planned] + s);
     PathPlace place;
     place.d1 = part.shape.advance;
     return place;
@@ -90,9 +97,20 @@ PathPlace PathPlaces::on_spline(const Move& move, double s) {
     put(tangent(move.cubic, u), place.d1);
     put(curvature_vector(move.cubic, u), place.d2);
     put(curvature_rate(move.cubic, u), place.d3);
-    for (std::size_t i = 0; i < kAuxAxes; ++i) {
-        place.d1[3 + i] = (move.aux_end[i] - move.aux_start[i]) / length_->length();
+    put_aux(move, length_->length(), place);
+    return place;
+}
+
+PathPlace PathPlaces::on_table(const Move& move, double s) {
+    if (tabled_ != &move) {
+        tabled_ = &move;
+        curve_ = std::make_unique<TableCurve>(move.table, move.start, move.table_length);
     }
+    PathPlace place;
+    put(curve_->direction(s), place.d1);
+    put(curve_->bend(s), place.d2);
+    put(curve_->bend_rate(s), place.d3);
+    put_aux(move, move.table_length, place);
     return place;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/curve/drawn/table_curve.hpp"
 #include "ref/feed/places/place_limit.hpp"
 #include "ref/geometry/geometry.hpp"
 
@@ -26,8 +27,8 @@ using PlaceLimits = boost::container::static_vector<PlaceLimit, 1 + kMachineAxes
 PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Machine& machine);
 
 /// The exact derivatives: lines and arcs in closed form, splines by Frenet's formulas at the
-/// place's parameter. Places may come in any order; in the path's order each spline's length is
-/// tabulated once.
+/// place's parameter, tables by their series. Places may come in any order; in the path's order
+/// each spline's length is tabulated once.
 class PathPlaces {
   public:
     PathPlaces(const Program& program, const Geometry& geometry, double unit_mm);
@@ -38,12 +39,14 @@ class PathPlaces {
   private:
     PathPlace on_arc(const Move& move, const PathShape& shape, double s) const;
     PathPlace on_spline(const Move& move, double s);
+    PathPlace on_table(const Move& move, double s);
 
     const Program& program_;
     const Geometry& geometry_;
     std::vector<double> begin_;  // mm, starts of planned moves in their move
     const Move* tabled_ = nullptr;
     std::unique_ptr<ArcLength> length_;
+    std::unique_ptr<TableCurve> curve_;
 };
 
 }  // namespace curvecore::ref

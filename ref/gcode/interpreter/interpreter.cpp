@@ -15,13 +15,15 @@ bool ends_program(int m_code) { return m_code == 2 || m_code == 30; }
 }  // namespace
 
 Interpreter::Interpreter(const std::string& file, double fit_tolerance,
-                         ProgramParameters& parameters, const ProgramStart& start)
+                         ProgramParameters& parameters, const ProgramStart& start,
+                         const CurveTable* table)
     : fit_tolerance_(fit_tolerance),
       parameters_(parameters),
       moves_(file),
       tools_(start.tools),
       parameter_unit_(start.unit),
-      arc_tolerance_(start.arc_tolerance) {
+      arc_tolerance_(start.arc_tolerance),
+      table_(table) {
     begin(start);
     give_values();
 }
@@ -67,6 +69,7 @@ void Interpreter::note(const std::string& code, bool waits, const Place& place) 
 }
 
 Program Interpreter::finish() {
+    if (curve_) refuse_curve({moves_.file(), curve_->line});
     if (middle_ || nurbs_) {
         check_nothing_waits({moves_.file(), middle_ ? middle_->line : nurbs_->line});
     }

@@ -18,6 +18,7 @@
 #include "ref/gcode/state/coordinates.hpp"
 #include "ref/gcode/state/modes.hpp"
 #include "ref/gcode/state/move_list.hpp"
+#include "ref/gcode/state/named_curve.hpp"
 #include "ref/gcode/state/program_start.hpp"
 #include "ref/moves/arc_geometry.hpp"
 
@@ -26,8 +27,9 @@ namespace curvecore::ref {
 class Interpreter {
   public:
     /// @param parameters outlives this object, whose values it can query afterwards
+    /// @param table of curves that comments name, which outlives the moves; null: there is none
     Interpreter(const std::string& file, double fit_tolerance, ProgramParameters& parameters,
-                const ProgramStart& start = {});
+                const ProgramStart& start = {}, const CurveTable* table = nullptr);
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
@@ -44,6 +46,8 @@ class Interpreter {
 
     /// Executes a block; returns false if it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
+    /// Lets the next G1 end the curve of an active comment. @throws InputError
+    void name_curve(const std::string& text, const Place& place);
     /// Notes a code of another dialect that asks for more than motion; `waits`: the machine stands
     /// still at it.
     void note(const std::string& code, bool waits, const Place& place);
@@ -105,6 +109,8 @@ class Interpreter {
     void nurbs_block(Block& block, const Codes& codes, const Place& place);
     void control_point(Block& block, const Place& place);
     void close_nurbs(const Place& place);
+    [[noreturn]] void refuse_curve(const Place& place) const;
+    void table_curve(Block& block, const Place& place);
 
     Move move_to(const Point& target, const Place& place) const;
     void add(Move move, const Point& target, const Place& place);
@@ -146,7 +152,9 @@ class Interpreter {
     CannedCycles canned_cycles_;
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
-    std::optional<Vec3> last_leg_;  // P Q R of a G5 that is still in force, mm
+    const CurveTable* table_;
+    std::optional<NamedCurve> curve_;  // that waits for its end
+    std::optional<Vec3> last_leg_;     // P Q R of a G5 that is still in force, mm
 };
 
 }  // namespace curvecore::ref

@@ -88,7 +88,9 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
             place);
     }
     if (!is_canned_cycle(motion_)) canned_cycles_.end_row();
-    if (is_canned_cycle(motion_) || is_thread(motion_)) {
+    if (curve_) {
+        table_curve(block, place);
+    } else if (is_canned_cycle(motion_) || is_thread(motion_)) {
         cycle(again, block, place);
     } else if (is_arc(motion_)) {
         arc(block, place);

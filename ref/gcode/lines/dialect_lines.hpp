@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,9 +15,10 @@ namespace curvecore::ref {
 struct ProgramLine {
     int number = 0;  // in its file, from 1
     std::string words;
-    std::string note;     // a code that asks for more than motion, instead of words
-    bool waits = false;   // the machine stands still at the note
-    std::string warning;  // message to the user about it
+    std::optional<std::string> curve;  // what an active comment (curve, ..) has behind its comma
+    std::string note;                  // a code that asks for more than motion, instead of words
+    bool waits = false;                // the machine stands still at the note
+    std::string warning;               // message to the user about it
 };
 
 /// A translator that remembers what earlier lines have set.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace curvecore::ref {
@@ -47,6 +48,26 @@ std::string words_of(std::string_view text, const Place& place) {
     return words;
 }
 
+std::optional<std::string> curve_comment(std::string_view text) {
+    constexpr std::string_view kWord = "curve";
+    int comments = 0;  // in each other
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == ')') comments = std::max(0, comments - 1);
+        if (text[at] == ';' && comments == 0) break;
+        if (text[at] != '(' || ++comments > 1) continue;
+        const std::size_t first = text.find_first_not_of(" \t", at + 1);
+        const std::string_view rest = first < text.size() ? text.substr(first) : "";
+        const bool named = rest.size() > kWord.size() &&
+                           std::equal(kWord.begin(), kWord.end(), rest.begin(), [](char a, char b) {
+                               return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b);
+                           });
+        const std::size_t comma = named ? rest.find_first_not_of(" \t", kWord.size()) : rest.size();
+        if (comma >= rest.size() || rest[comma] != ',') continue;
+        return std::string(rest.substr(comma + 1, rest.find(')') - comma - 1));
+    }
+    return {};
+}
+
 ProgramLines::ProgramLines(std::istream& text, const std::string& file,
                            std::optional<Dialect> dialect)
     : lines_(text), file_(file) {
@@ -86,8 +107,9 @@ std::optional<ProgramLine> ProgramLines::next() {
         ProgramLine line;
         line.number = number_;
         const Place place{file_, line.number};
+        line.curve = curve_comment(*text);
         reader_->read(*text, line, place);
-        if (line.words.empty() && line.note.empty()) continue;
+        if (line.words.empty() && line.note.empty() && !line.curve) continue;
         const bool begins = !begun_ && line.words[0] == '%';  // alone, or with the program's name
         begun_ = true;
         if (begins) continue;

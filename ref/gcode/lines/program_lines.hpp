@@ -16,14 +16,17 @@ namespace curvecore::ref {
 /// Returns a line without comments and blanks, in upper case. @throws InputError: it is not text
 std::string words_of(std::string_view text, const Place& place);
 
+/// Returns what a line's first comment (curve, ..) has behind its comma; none: there is none.
+std::optional<std::string> curve_comment(std::string_view text);
+
 class ProgramLines {
   public:
     /// @param text, file outlive this object
     /// @param dialect none: recognised from the first lines
     ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
 
-    /// Returns the next line that has words or a note, up to the '%' that ends the program; one
-    /// more '%' may begin it. @throws InputError
+    /// Returns the next line that has words, a curve or a note, up to the '%' that ends the
+    /// program; one more '%' may begin it. @throws InputError
     std::optional<ProgramLine> next();
     Dialect dialect() const { return dialect_; }
     /// Number of the last line that was taken from the text, from 1.

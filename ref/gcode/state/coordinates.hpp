@@ -85,6 +85,7 @@ class Coordinates {
     void use_system(int number) { modes_.system = number; }
     /// The shift of G92 and G52 that G92.3 restores.
     const Point& kept_shift() const { return saved_shift_; }
+    bool is_turned() const { return rotation() != 0; }
     bool is_shifted() const { return shift_ != Point{}; }
     void set_shift(const Point& shift) { shift_ = saved_shift_ = shift; }
 

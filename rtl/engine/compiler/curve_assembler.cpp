@@ -225,10 +225,12 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
         const auto begin = [&](const char* what) {
             if (kind == 0) {
                 assembly.label(std::string("curve_") + what);
-                for (std::size_t other = 1; other < codes.size(); ++other) {
+                for (std::size_t other = codes.size(); --other > 0;) {
+                    const bool table = core.table && other + 1 == codes.size();
                     assembly.from({"", 0, "test kind: " + codes[other].name});
-                    assembly.put(Op::kAdd, Assembly::zero(), assembly.word("kind"),
-                                 Assembly::zero(), false, 1);
+                    assembly.put(table ? Op::kAdd : Op::kSub, Assembly::zero(),
+                                 table ? assembly.word("kind") : Assembly::zero(),
+                                 table ? Assembly::zero() : assembly.word("kind"), false, 1);
                     assembly.branch(codes[other].name + "_" + what, engine::kNegative);
                 }
             }

@@ -2,7 +2,8 @@
 // Tables of curves as programs of the engine: `curve_load` opens a segment, `curve_step` goes on to
 // the next step, `curve_sample` draws one; of a curve alone NAME_load, NAME_step, NAME_sample.
 //
-// A segment's words are there before: `kind`, 0 of the first curve, negative of the second; theta,
+// A segment's words are there before: `kind`, 0 of the first curve, 1 of splines, negative of the
+// core's further table, which is the last one; theta,
 // tangent[k], normal[k], advance[k], start[k] by the names of hls/words.hpp, of auxiliary axes
 // advance[3] and start[3] on; and its scales, of load on: tau_scale = 2^(27-k), fine_scale =
 // 2^(fine+k), place_scale = 2^(fine+lambda), step_scale = 2^(44-s), s = lambda - k. A sample reads

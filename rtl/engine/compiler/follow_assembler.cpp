@@ -17,11 +17,22 @@ using engine::Op;
 constexpr int kFirstAuxiliary = 3;
 constexpr int kEntries = 3;  // of the memory, for a queued word
 
-/// Auxiliary axes of a segment: their words from the memory, and their ends as fine positions.
-class AuxiliaryAxes {
+/// Words of a segment behind those of X Y Z: of auxiliary axes and of its table, from the memory;
+/// and the former's ends as fine positions.
+class WordsBehindAxes {
   public:
-    AuxiliaryAxes(const ref::CoreParameters& core, Assembly& assembly)
-        : axes_(core.axes()), assembly_(assembly) {}
+    WordsBehindAxes(const ref::CoreParameters& core, Assembly& assembly)
+        : axes_(core.axes()), assembly_(assembly) {
+        if (!core.table) {
+            return;
+        }
+        for (const auto& [place, row] : core.table->bus) {
+            const ref::BusPlace at = ref::bus_place(place);
+            if (at.further()) {
+                further_[at.number] = {place, core.table->rows.at(row).of_axis};
+            }
+        }
+    }
 
     void write() {
         begin("land_auxiliary");
@@ -36,7 +47,12 @@ class AuxiliaryAxes {
             fetch("end", axis, hls::kPointField.bits);
             fetch("advance", axis, hls::kCoefField.bits);
         }
-        end();
+        if (axes_ > kFirstAuxiliary) {
+            assembly_.close_axes();
+        }
+        fetch_further();
+        assembly_.give_back();
+        write_further();
     }
 
   private:
@@ -56,19 +72,49 @@ class AuxiliaryAxes {
     Field word(const char* what, int axis) {
         return assembly_.auxiliary_word(fmt::format("{}[{}]", what, axis));
     }
-    /// The low `bits` of a word, signed.
     void fetch(const char* what, int axis, int bits) {
+        fetch(word(what, axis), bits, fmt::format("{}[{}]", what, axis));
+    }
+    /// The low `bits` of a word, signed.
+    void fetch(const Field& to, int bits, const std::string& what) {
         constexpr int kProduct = 45;
-        const Field to = word(what, axis);
-        assembly_.from({"", 0, fmt::format("{}[{}], {} bits", what, axis, bits)});
+        assembly_.from({"", 0, fmt::format("{}, {} bits", what, bits)});
         const auto memory = static_cast<int>(assembly_.defined("memory").value());
         assembly_.put(Op::kIn, to, {memory, "memory"}, {});
         assembly_.put(Op::kMull, to, to, assembly_.power(kProduct - bits));
         assembly_.put(Op::kMulr, to, to, assembly_.power(bits), true);
     }
 
+    /// Further words, one after the other: of a row of three axes by a subroutine.
+    void fetch_further() {
+        for (const auto& [number, row] : further_) {
+            if (row.of_axis) {
+                assembly_.from({"", 0, row.place});
+                assembly_.call_for_axes("fetch " + row.place);
+            } else {
+                fetch(assembly_.word(row.place), hls::kCoefField.bits, row.place);
+            }
+        }
+    }
+    void write_further() {
+        for (const auto& [number, row] : further_) {
+            if (!row.of_axis) {
+                continue;
+            }
+            assembly_.label("fetch " + row.place);
+            fetch(assembly_.axis_word(row.place + "[k]"), hls::kCoefField.bits, row.place);
+            assembly_.give_back();
+        }
+    }
+
+    struct FurtherRow {
+        std::string place;
+        bool of_axis = false;
+    };
+
     int axes_;
     Assembly& assembly_;
+    std::map<int, FurtherRow> further_;  // by the number of the first word
 };
 
 }  // namespace
@@ -76,10 +122,10 @@ class AuxiliaryAxes {
 void assemble_follow(const std::string& programs, const std::vector<ref::CurveTable>& tables,
                      const ref::CoreParameters& core, Assembly& assembly) {
     const int fine = fine_scale(core).fine;
-    const int words = ref::segment_bus_words(core.aux_axes);
+    const int words = core.segment_words();
     assembly.define("fine_exponent", fine);
     assembly.define("step_lift", hls::kPathFrac - fine);
-    assembly.define("aux_words", ref::kAxisBusWords * core.aux_axes);
+    assembly.define("words_behind_axes", words - ref::segment_bus_words(0));
     if ((*assembly.defined("segment_end") - *assembly.defined("segment_begin")) %
             (kEntries * words) !=
         0) {
@@ -88,7 +134,7 @@ void assemble_follow(const std::string& programs, const std::vector<ref::CurveTa
     }
     assemble_source(programs + "/follow.asm", assembly);
     assemble_source(programs + "/segment.asm", assembly);
-    AuxiliaryAxes(core, assembly).write();
+    WordsBehindAxes(core, assembly).write();
     assemble_curves(tables, core, assembly, "measure_step", "drawn");
 }
 

@@ -38,9 +38,20 @@ void put_sample(const ref::CoreParameters& core, Assembly& assembly) {
 
 }  // namespace
 
+void assemble_table_words(const std::string& programs, const ref::CoreParameters& core,
+                          Assembly& assembly) {
+    if (core.table) {
+        assemble_source(programs + "/table_words.asm", assembly);
+        return;
+    }
+    assembly.from({"segment_words", 0, "axes_end"});
+    assembly.label("axes_end");
+    assembly.branch("segment_whole");
+}
+
 StoreSize motion_store(const ref::CoreParameters& core) {
     StoreSize size;
-    const bool small = core.order <= 6 && core.aux_axes == 0;
+    const bool small = core.order <= 6 && core.aux_axes == 0 && !core.table;
     const bool large = core.order > 9 || core.order + core.aux_axes > 12;
     size.program = small ? 1536 : large ? 4096 : 2048;
     size.data = small ? 256 : 512;
@@ -52,6 +63,7 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
                         const std::string& tree, int rate_bits) {
     std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
     if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
+    if (core.table) tables.push_back(*core.table);
     return motion_program(tables, core, queues, tree, rate_bits);
 }
 
@@ -71,6 +83,7 @@ Assembly motion_program(const std::vector<ref::CurveTable>& tables, const ref::C
                                "piece_words", "ledger", "settings", "powers", "motion"}) {
         assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
     }
+    assemble_table_words(tree + "/rtl/engine/programs", core, assembly);
     assembly.label("first_values");
     assembly.open_further();
     assembly.put_starts();

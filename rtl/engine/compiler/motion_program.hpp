@@ -18,7 +18,8 @@ struct QueueWords {
     int profile = 4096;
 };
 
-/// Returns the store of a core's parameters, as rtl/motion_interpolator.sv has it.
+/// Returns the store of a core's parameters, as rtl/motion_interpolator.sv has it; of one that has
+/// a table, with Tables 1.
 StoreSize motion_store(const ref::CoreParameters& core);
 
 /// Assembles the motion of a core; `tree` is the folder that has ref/curves and rtl/engine. Its
@@ -27,8 +28,13 @@ StoreSize motion_store(const ref::CoreParameters& core);
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
                         const std::string& tree, int rate_bits = 0);
 
-/// The same of other curves: that of arcs' segments, and that of splines', if the core has them.
+/// The same of other curves: that of arcs' segments, that of splines' if the core has them, and of
+/// tables' if it has one.
 Assembly motion_program(const std::vector<ref::CurveTable>& tables, const ref::CoreParameters& core,
                         const QueueWords& queues, const std::string& tree, int rate_bits = 0);
+
+/// Assembles what comes behind the axes' words of a segment: the table's own, or nothing.
+void assemble_table_words(const std::string& programs, const ref::CoreParameters& core,
+                          Assembly& assembly);
 
 }  // namespace curvecore::assembler

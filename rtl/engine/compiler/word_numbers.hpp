@@ -42,7 +42,7 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
                          Assembly& assembly, int rate_bits = 0) {
     constexpr int kLimbs = 3;  // of a queued word
     assembly.define("own", made_for(core, segment_words, profile_words, rate_bits));
-    const int frame = ref::segment_bus_words(core.aux_axes);
+    const int frame = core.segment_words();
     segment_words -= segment_words % frame;  // whole segments
     const int profile = kPowerEntries + kLimbs * segment_words;
     const int profile_end = profile + kLimbs * profile_words;
@@ -63,6 +63,8 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
     assembly.define("coef_room", hls::kCoefField.bits - core.coef_bits);
     assembly.define("fine_room", hls::kPointField.bits - core.position_bits - core.guard_bits);
     assembly.define("kinds", core.splines != 0 ? 2 : 1);
+    assembly.define("tables", core.table ? 1 : 0);
+    assembly.define("further_words", core.further_words);
     assembly.define("least_phi", core.coef_bits - 2 + 9);  // words.asm has 2^9 times the word
 }
 

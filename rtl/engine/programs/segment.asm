@@ -17,9 +17,9 @@ data most_step = 44
 
 fetch_segment:
   segments = segments - 1, 1 limb
-  frame = 0 + 2^4                        # 17 + 3 AuxAxes words
+  frame = 0 + 2^4                        # 17 + 3 AuxAxes words, and further ones
   frame = frame + 1, 1 limb
-  frame = frame + aux_words, 1 limb
+  frame = frame + words_behind_axes, 1 limb
   segment_words = segment_words - frame, 2 limbs
   place = segment_take                   # on by three entries a word
   segment_take = segment_take + frame, 2 limbs
@@ -34,8 +34,8 @@ segment_at_hand:
   segment_rest = segment_rest - 2^44     # the tag's lower bits, 1
   if zero go to no_length
   theta = port memory
-  kind = theta * 2^8                     # its sign is bit 36
-  kind = floor(kind * 2^1 >> 45), 1 limb
+  kind = theta * 2^7                     # bits 37:36, signed
+  kind = floor(kind * 2^2 >> 45), 1 limb
   k = floor(theta * 2^7 >> 45), 1 limb   # the tag's lower bits, -2; last; k of 5 bits
   k = k + 2^7, 1 limb
   test k - 2^5, 1 limb

@@ -53,7 +53,11 @@ theta_word:
   kind = entering * 2^7
   kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1: of their last limb,
   test kind - kinds, 1 limb                # 32766 and 32767
-  if not negative go to bad_word
+  if negative go to kind_known
+  test kind + tables                       # a table's is -1: any theta, no lambda
+  if zero go to next_axis
+  go to bad_word
+kind_known:
   entry_limit = entry_limit + 32, 1 limb
   entry_limit = entry_limit * kind, 1 limb
   least = kind * 2^least_phi
@@ -144,7 +148,7 @@ advance_word:
 axis_over:
   test entry_axis - aux_axes, 1 limb
   if negative go to next_axis
-  go to segment_whole
+  go to axes_end                           # segment_whole, or table_words.asm
 
 coefficient_and_byte:
   byte = floor(entering * 2^9 >> 45), 1 limb       # bits 43:36

@@ -4,6 +4,7 @@
 #include "ref/program/program_reader.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/curves/named_table.hpp"
 #include "sysc/job/linuxcnc_program.hpp"
 
 namespace curvecore::sysc {
@@ -69,6 +70,13 @@ void take_system(const std::vector<std::string>& texts, Options& options) {
                                                                    : BoardKind::kSystemc;
 }
 
+/// Checks that a core draws tables.
+void check_table_core(const CoreParameters& core) {
+    if (core.build != Build::kEngine) {
+        throw UsageError("--curve: a table is drawn by --build engine");
+    }
+}
+
 }  // namespace
 
 const Options& PartOptions::complete() {
@@ -86,7 +94,16 @@ const Options& PartOptions::complete() {
     } else if (options.arc_tolerance) {
         throw UsageError("--tolerance is for --fit arcs");
     }
+    const bool table = options.gcode.table != nullptr;
+    if (table && options.open_program) {
+        throw UsageError("--curve or --interpreter: LinuxCNC's does not know the comment");
+    }
+    if (table && !core.build && core.core.empty() && core.board.empty()) {
+        core.build = Build::kEngine;  // which alone draws tables
+    }
     core.apply(options);
+    if (table) check_table_core(options.core);
+    ref::add_table(options.gcode.table, options.core);
     take_interpolator(options);
     if (!options.needs_rtl() && options.stall_seed) {
         throw UsageError("--stall is for --on rtl and systemc-rtl");
@@ -144,6 +161,10 @@ CLI::Option* add_file(CLI::App& command, PartOptions& part) {
                ref::kParametrisationNames, "of that spline: {}")
         ->group(group::kRare);
     add_interpreter(command, part);
+    add_value(command, "--curve", options.gcode.table, "NAME",
+              "the curve that comments (curve, NAME, ROW=.., length=..) name: FILE.net, or a table "
+              "of ref/curves",
+              [](const std::string&, const std::string& text) { return named_table(text); });
     return file;
 }
 

@@ -49,11 +49,19 @@ std::string segments_head(const Job& job) {
         "// [43:36]: X sequence, lambda and other turn [42]; Y and Z four bytes of ticks, the "
         "lowest\n"
         "// first; of advance the check\n",
-        ref::segment_bus_words(job.options.core.aux_axes), coef - 1, coef - 1, fine,
-        job.options.core.guard_bits, coef, coef - 2);
+        job.options.core.segment_words(), coef - 1, coef - 1, fine, job.options.core.guard_bits,
+        coef, coef - 2);
     if (job.options.core.splines != 0) {
         text +=
             "// of a spline, kind 1: 1/|c| for theta; a, b and c for tangent, normal, advance\n";
+    }
+    if (job.options.core.table) {
+        text += fmt::format("// of a {}, kind 3, its rows:", job.options.core.table->name);
+        for (const auto& [place, row] : job.options.core.table->bus) {
+            text += fmt::format(" {} {};", place, row);
+        }
+        text += fmt::format("\n//   10   further, {} words, as advance\n",
+                            job.options.core.further_words);
     }
     return text;
 }
@@ -129,7 +137,7 @@ class WordFiles {
         json["segments"] = {{"file", "segments.hex"},
                             {"count", writer_->count()},
                             {"words", segment_words(job)},
-                            {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
+                            {"words_each", job.options.core.segment_words()}};
         json["profile"] = {{"file", "profile.hex"},
                            {"count", pieces_->count()},
                            {"words_each", hls::kProfileBusWords},
@@ -179,8 +187,7 @@ class WordFiles {
     static constexpr int kBusBits = 48;
 
     std::size_t segment_words(const Job& job) const {
-        return writer_->count() *
-               static_cast<std::size_t>(ref::segment_bus_words(job.options.core.aux_axes));
+        return writer_->count() * static_cast<std::size_t>(job.options.core.segment_words());
     }
     double path_mm(const Job& job) const {
         return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm;

@@ -50,9 +50,11 @@ const std::map<std::string, std::vector<const char*>> kExamples{
      {"part.ngc -o queues", "part.ngc --host 1ms,5ms --word 2us,500us -o uart",
       "part.ngc --segment-queue 512,1024 --profile-queue 256,512 -o short"}},
     {"curve",
-     {"check ref/curves/clothoid.net", "check ref/curves/spline.net --set Order=9",
-      "check ref/curves/clothoid.net --row T=1,0,0 --row N=0,1,0 --row kappa=0.05,0.05,0.05 --row "
-      "sigma=0"}},
+     {"check ref/curves/clothoid.net",
+      "run wave.net --x '20*t' --y '8*sin(w*t)' --let w=2 --t 0,3 --set Order=4 --unit 100nm -o "
+      "wave",
+      "run clothoid --row T=1,0,0 --row N=0,1,0 --row kappa=0,0,0 --row sigma=0.0025 --length 40mm "
+      "--feed 3m/min -o out"}},
 };
 
 std::string examples_of(const std::string& command) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A curve that no kernel draws, from its table alone: the machine against its integral in 50
-// digits, the engine's microcode against the machine's words.
+// digits, its words within the table's bound.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -10,9 +10,8 @@
 #include "ref/bound/table_bound.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
+#include "sysc/core/core_parameters.hpp"
 #include "sysc/core/table_words.hpp"
-#include "tb/support/microcode/curve_comparison.hpp"
-#include "tb/support/microcode/microcode_configurations.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -175,98 +174,6 @@ TEST(Clothoid, EverySampleInWordsIsWithinTheBoundOfItsTable) {
             EXPECT_GT(most, 0.1) << "Order " << order << ", CoefBits " << bits;
         }
     }
-}
-
-/// The engine's program beside the machine in words.
-class MicrocodeOfClothoid {
-  public:
-    explicit MicrocodeOfClothoid(const sysc::CoreParameters& core)
-        : core_(core),
-          code_(assembled(core)),
-          engine_(code_),
-          words_(table(), core.order, core.polynomial(), {core.coef_bits, core.guard_bits}) {}
-
-    /// Draws steps of a curve with both; returns the number of words that differ.
-    int draw(const Clothoid& curve, int steps, std::mt19937_64& random) {
-        load(curve);
-        curve.load(words_);
-        engine_.run(0);
-        int differ = 0;
-        for (int step = 0; step < steps; ++step) {
-            if (step > 0) {
-                engine_.run(1);
-                words_.step();
-            }
-            for (int sample = 0; sample < 3; ++sample) {
-                const int bits = curve.k + hls::kPathFrac;
-                const std::uint64_t sigma = sample == 0 ? 0 : random() % (std::uint64_t{1} << bits);
-                engine_.set("sigma", static_cast<std::int64_t>(sigma));
-                engine_.run(2);
-                const int unit = core_.coef_bits - 1;
-                const Real tau = ldexp(floor(ldexp(Real(sigma), unit - bits)), -unit);
-                const auto at = words_.sample(tau);
-                for (int axis = 0; axis < 3; ++axis) {
-                    const Real fine = ldexp(at[axis], core_.guard_bits);
-                    differ += Real(engine_.get("fine[k]", axis)) == fine ? 0 : 1;
-                    ++samples_;
-                }
-            }
-        }
-        return differ;
-    }
-    int samples() const { return samples_; }
-    bool hazard() const { return engine_.hazard(); }
-
-  private:
-    static assembler::Assembly assembled(const sysc::CoreParameters& core) {
-        assembler::Assembly assembly(kLargeStore);
-        MicrocodeMachine::dispatch(assembly, {"clothoid_load", "clothoid_step", "clothoid_sample"});
-        assemble_curves({table()}, core, assembly, "idle", "idle");
-        assembly.finish();
-        return assembly;
-    }
-
-    void load(const Clothoid& curve) {
-        const auto word = [&](const Real& value, int bits) {
-            return static_cast<std::int64_t>(ldexp(value, bits));
-        };
-        const auto scale = [&](const char* name, int power) {
-            engine_.set(name, std::int64_t{1} << power);
-        };
-        const int fine = assembler::fine_scale(core_).fine;
-        scale("tau_scale", hls::kMaxStepExponent - curve.k);
-        scale("fine_scale", fine + curve.k);
-        engine_.set("theta", word(curve.sigma, core_.coef_bits + 1));
-        for (int axis = 0; axis < 3; ++axis) {
-            engine_.set("start[k]", word(curve.start[axis], core_.guard_bits), axis);
-            engine_.set("tangent[k]", word(curve.tangent[axis], core_.coef_bits - 2), axis);
-            engine_.set("advance[k]", word(curve.kappa[axis], core_.coef_bits + 1), axis);
-            engine_.set("normal[k]", word(curve.normal[axis], core_.coef_bits - 2), axis);
-        }
-    }
-
-    sysc::CoreParameters core_;
-    assembler::Assembly code_;
-    MicrocodeMachine engine_;
-    ref::TableMachine<Real, sysc::TableWords<Real>> words_;
-    int samples_ = 0;
-};
-
-TEST(Clothoid, MicrocodeDrawsTheWordsOfTheTable) {
-    std::mt19937_64 random(5);
-    int samples = 0;
-    for (const CurveCase& of : configurations()) {
-        if (of.spline || of.core.aux_axes > 0) continue;
-        MicrocodeOfClothoid microcode(of.core);
-        for (int n = 0; n < 4; ++n) {
-            EXPECT_EQ(microcode.draw(random_clothoid(of.core, random).in_words(of.core), 4, random),
-                      0)
-                << text(of);
-        }
-        EXPECT_FALSE(microcode.hazard()) << text(of);
-        samples += microcode.samples();
-    }
-    EXPECT_GT(samples, 2000);
 }
 
 }  // namespace

@@ -48,6 +48,12 @@ ref::TableSegment rows_of(const ref::ArcPiece& arc, int k) {
     made.lambda = k;
     return made;
 }
+ref::TableSegment rows_of(const ref::TablePiece& piece, int k) {
+    ref::TableSegment made;
+    made.values = piece.rows(std::ldexp(1.0, k));
+    made.lambda = k;
+    return made;
+}
 
 /// The segment as the table of its kind draws it.
 ref::TableSegment rows_of(const ref::Segment& segment) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rtl/engine/assembler/source.hpp"
+#include "rtl/engine/compiler/motion_program.hpp"
 #include "rtl/engine/compiler/word_numbers.hpp"
 #include "tb/support/microcode/microcode_machine.hpp"
 #include "tb/support/segments/random_streams.hpp"
@@ -37,6 +38,7 @@ inline assembler::Assembly words_microcode(const EntryCase& of) {
     for (const char* source : {"ports", "words", "segment_words", "piece_words", "ledger"}) {
         assemble_source(std::string(RTL_DIR) + "/engine/programs/" + source + ".asm", assembly);
     }
+    assemble_table_words(std::string(RTL_DIR) + "/engine/programs", of.core, assembly);
     assembly.from({"reset", 0, ""});
     assembly.label("reset");
     assembly.put_starts();

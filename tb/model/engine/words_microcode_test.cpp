@@ -5,6 +5,7 @@
 // instruction deleted or a field changed is seen.
 #include <gtest/gtest.h>
 
+#include "ref/curves/curve_table.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "tb/model/engine/entry_comparison.hpp"
 #include "tb/support/microcode/microcode_mutants.hpp"
@@ -24,6 +25,10 @@ EntryCase any_case(std::mt19937_64& random) {
     any.core.guard_bits = of(2, 12);
     any.core.aux_axes = random() % 2 == 0 ? 0 : of(1, 6);
     any.core.splines = of(0, 1);
+    if (of(0, 1) != 0) {
+        any.core.table = std::make_shared<ref::CurveTable>();
+        any.core.further_words = of(0, 4);
+    }
     any.queues = {{64 << of(0, 2), 16 << of(0, 2)}};
     any.most_time = random() % 2 == 0 ? hls::kMaxTimeExponent : of(0, 8);
     return any;
@@ -93,6 +98,8 @@ TEST(WordsMicrocode, AChangedInstructionIsSeen) {
     EntryCase of;
     of.core.aux_axes = 2;
     of.core.splines = 1;
+    of.core.table = std::make_shared<ref::CurveTable>();
+    of.core.further_words = 2;
     of.core.coef_bits = 30;
     of.core.position_bits = 28;
     const assembler::Assembly assembly = words_microcode(of);

@@ -13,6 +13,7 @@
 #include "rtl/engine/compiler/motion_program.hpp"
 #include "sysc/core/core_clocks.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
+#include "tb/support/segments/table_families.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -72,6 +73,34 @@ TEST(EngineClocks, AreThoseOfItsPrograms) {
     for (const Slack* one : {&sample, &step, &segment}) {
         EXPECT_LT(one->least(), 100);
         EXPECT_LT(one->most(), 0.3);
+    }
+}
+
+/// Clocks of a core that has a table besides arcs: the larger of both kinds.
+TEST(EngineClocks, CoverTables) {
+    TableFamilies families(RTL_DIR "/../ref/curves", 1);
+    for (const std::string& name : TableFamilies::names()) {
+        ref::CoreParameters core;
+        core.build = ref::Build::kEngine;
+        ref::add_table(families.table(name), core);
+        const assembler::Assembly made =
+            assembler::motion_program(core, {1024, 1024}, RTL_DIR "/..");
+        const int again = worst_case(made, "in_step", {"leave_step", "curve_sample", "land"});
+        const hls::TimedCore timed = sysc::timed_core(core);
+        const hls::Clocks arc = sysc::core_clocks(core, ref::CurveKind::kArc);
+        const hls::Clocks of = sysc::core_clocks(core, ref::CurveKind::kTable);
+        const int words = hls::engine_entry_words(timed) + core.further_words;
+        EXPECT_LE(worst_case(made, "follow", {"leave_step"}),
+                  std::max(arc.sample, of.sample) - hls::engine_sample_clocks(timed, 0) +
+                      hls::kEngineFollowClocks)
+            << name;
+        EXPECT_LE(worst_case(made, "leave_step", {"in_step", "open_segment"}) + again,
+                  std::max(arc.step - arc.sample, of.step - of.sample))
+            << name;
+        EXPECT_LE(worst_case(made, "leave_step", {"in_step", "curve_step", "no_length"}) + again,
+                  std::max(arc.segment - arc.sample, of.segment - of.sample) -
+                      hls::kEngineEntryClocks * words)
+            << name;
     }
 }
 

@@ -2,10 +2,9 @@
 // Formats with widths at run time: a kernel gives the same words as with widths of its type. Bus
 // words of segments, and positions of seeded streams of arcs, helices, lines and splines, at the
 // edges of every parameter.
-#include "sysc/core/run_time_format.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sysc/core/run_time_kernel.hpp"
 #include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 

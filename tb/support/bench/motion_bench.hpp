@@ -15,6 +15,7 @@
 #include "hls/time_scaler.hpp"
 #include "hls/word_check.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
+#include "sysc/core/run_time_kernel.hpp"
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/motion_ports.hpp"
 #include "tb/support/segments/mixed_segments.hpp"
@@ -29,7 +30,8 @@ constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short pr
 
 class MotionInterpolator : public testing::Test, protected BenchFormat {
   protected:
-    MotionInterpolator() {
+    explicit MotionInterpolator(std::shared_ptr<const ref::CurveTable> table = {})
+        : BenchFormat(std::move(table)) {
         dut_->hold_acceleration_i = kAcceleration;
         dut_->hold_slope_i = kSlope;
         dut_->stop_ticks_i = kStopTicks;
@@ -264,17 +266,12 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         rate_ = rate;
     }
 
-    /// Sets the fine position that the next sample has, `ds` quanta on.
-    virtual void draw(int64_t ds, int64_t (&fine)[kMostAxes]) {
-        kernel_.sample(
-            ds, [this] { return next_segment(); }, fine);
-    }
-    const RunSegment& next_segment() { return segments_.at(next_segment_++); }
-
     void check_sample() {
         ASSERT_LT(samples_, static_cast<int64_t>(moves_.size())) << "a sample before its move";
         int64_t fine[kMostAxes];
-        draw(moves_[static_cast<std::size_t>(samples_)], fine);
+        kernel_.sample(
+            moves_[static_cast<std::size_t>(samples_)],
+            [this] { return segments_.at(next_segment_++); }, fine);
         for (int axis = 0; axis < core_.axes(); ++axis) {
             ASSERT_EQ(dut_->sample_fine_o[axis], fine[axis])
                 << "sample " << samples_ << " axis " << axis;

@@ -6,6 +6,7 @@
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/follow_assembler.hpp"
+#include "sysc/core/run_time_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 
 namespace curvecore::tb {
@@ -25,7 +26,7 @@ inline assembler::Assembly follow_microcode(const sysc::CoreParameters& core,
     assembler::Assembly assembly(size);
     MicrocodeMachine::dispatch(assembly, {"reset", "call_follow"});
     const std::string programs = std::string(RTL_DIR) + "/engine/programs";
-    const int frame = kEntries * ref::segment_bus_words(core.aux_axes);
+    const int frame = kEntries * core.segment_words();
     assembly.define("segment_begin", kQueueBegin);
     assembly.define("segment_end", kQueueBegin + kQueueFrames * frame + less);
     assemble_source(programs + "/ports.asm", assembly);
@@ -77,7 +78,7 @@ class FollowComparison {
           ranges_(core.coef_bits),
           format_(core, core.axes(), &ranges_),
           kernel_(format_),
-          words_of_frame_(ref::segment_bus_words(core.aux_axes)) {
+          words_of_frame_(core.segment_words()) {
         machine_.ports().memory.assign(
             kQueueBegin + kQueueFrames * kEntries * static_cast<std::size_t>(words_of_frame_), -1);
         write_powers(machine_.ports().memory);

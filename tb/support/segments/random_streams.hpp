@@ -200,6 +200,12 @@ class RandomStreams {
                 set_edge(frame[start + 1], hls::kPointField, fine_bits());
                 return true;
             case 8:
+                if (core_.further_words > 0 && random_() % 2 == 0) {
+                    const auto last = static_cast<unsigned>(core_.further_words);
+                    set_edge(frame[frame.size() - 1 - random_() % last], hls::kCoefField,
+                             core_.coef_bits);
+                    return true;
+                }
                 set_edge(frame[start + 2 + random_() % (axis < 3 ? 3 : 1)], hls::kCoefField,
                          core_.coef_bits);
                 return true;
@@ -308,8 +314,7 @@ class RandomStreams {
             words.ticks = static_cast<std::uint32_t>(words.last ? ticks : random_() % (ticks + 1));
             ticks -= words.ticks;
             fill(words);
-            std::vector<std::uint64_t> frame(
-                static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes)));
+            std::vector<std::uint64_t> frame(static_cast<std::size_t>(core_.segment_words()));
             hls::pack(words, segment_number_++, frame.data(), format_);
             check.seal(frame.data(), frame.size());
             to.push_back(frame);
@@ -328,6 +333,11 @@ class RandomStreams {
             const auto free = static_cast<unsigned>(hls::kMaxStepExponent - words.step_exponent);
             words.lambda = words.step_exponent + static_cast<int>(random_() % (free + 1));
         }
+        if (core_.table && random_() % 3 == 0) {
+            words.kind = hls::SegmentKind::kTable;
+            words.theta = any(core_.coef_bits);
+            words.lambda = 0;
+        }
         words.other_turn = random_() % 3 == 0;
         for (int axis = 0; axis < core_.axes(); ++axis) {
             const bool elsewhere = axis >= 3 && words.other_turn;
@@ -339,6 +349,7 @@ class RandomStreams {
                 words.normal[axis] = any(core_.coef_bits);
             }
         }
+        for (int n = 0; n < core_.further_words; ++n) words.further[n] = any(core_.coef_bits);
         joined_ = true;
     }
 

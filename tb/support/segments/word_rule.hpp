@@ -26,9 +26,10 @@ class WordRule {
     WordRule(const sysc::CoreParameters& core, const std::array<int, 2>& queues,
              std::uint16_t digest, bool at_once = false)
         : queues_(queues),
-          frames_of_{{ref::segment_bus_words(core.aux_axes), ref::kProfileBusWords}},
+          frames_of_{{core.segment_words(), ref::kProfileBusWords}},
           at_once_(at_once),
-          segment_entry_(sysc::RunTimeFormat(core, core.axes()), core.splines != 0, digest),
+          segment_entry_(sysc::RunTimeFormat(core, core.axes()), core.splines != 0, digest,
+                         core.table != nullptr),
           piece_entry_(digest) {}
 
     /// Offers a stream's next word. It stays while there is no room, or, as a frame's first, while
