@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/curves/table_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -171,13 +173,13 @@ class Reader {
                                         "further.0, further.1 .."));
         }
         for (const auto& [other, row] : table_.bus) {
-            if (row == name) place.refuse(name + " comes from " + other + " already");
+            if (row == name) place.refuse(fmt::format("{} comes from {} already", name, other));
             const BusPlace of = bus_place(other);
             const int first = further ? bus_place(field).number : 0;
             const bool both = further && of.further() &&
                               first < of.number + (table_.rows.at(row).of_axis ? 3 : 1) &&
                               of.number < first + (axes ? 3 : 1);
-            if (other == field || both) place.refuse(field + " has " + row + " already");
+            if (other == field || both) place.refuse(fmt::format("{} has {} already", field, row));
         }
         table_.bus[field] = name;
     }

@@ -10,7 +10,8 @@ namespace curvecore::ref {
 double& TablePiece::at(const std::string& place, int axis) {
     const BusPlace of = bus_place(place);
     if (of.field == "theta") return theta;
-    if (of.further()) return further[static_cast<std::size_t>(of.number + axis)];
+    if (of.further())
+        return further[static_cast<std::size_t>(of.number) + static_cast<std::size_t>(axis)];
     return (of.field == "tangent" ? tangent : of.field == "normal" ? normal : advance)[axis];
 }
 

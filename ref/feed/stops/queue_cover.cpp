@@ -30,8 +30,8 @@ struct Ends {
 
 Ends ends_of_segments(const Geometry& geometry, const PlanOptions& options) {
     Ends ends;
-    const auto words = static_cast<std::size_t>(segment_bus_words(options.aux_axes) +
-                                                options.format.further_words);
+    const auto words = static_cast<std::size_t>(segment_bus_words(options.aux_axes)) +
+                       static_cast<std::size_t>(options.format.further_words);
     for (const Segment& segment : geometry.segments) ends.add(segment.length, segment.ticks, words);
     return ends;
 }
