@@ -95,7 +95,7 @@ module engine_motion #(
 
   // Instructions and words of data that the programs of these parameters need
   localparam bit Small = Order <= 6 && AuxAxes == 0 && Tables == 0;
-  localparam bit Large = Order > 9 || Order + AuxAxes > 12;
+  localparam bit Large = Order > 9 || Order + AuxAxes > 12 || Tables == 1;
   localparam int Instructions = Small ? 1536 : Large ? 4096 : 2048;
   localparam int WordBits = Small ? 8 : 9;
 

@@ -126,7 +126,7 @@ TEST_F(CurveCommand, DrawsAFormula) {
     const auto report = nlohmann::json::parse(program_.read("out/report.json"));
     EXPECT_EQ(report["board"], "rtl");
     EXPECT_EQ(report["rtl_equals_kernel"], 0);
-    EXPECT_LE(report["kinds"]["wave"]["of_bound"], 1);
+    EXPECT_LE(report["kinds"]["wave"]["max_of_bound"], 1);
     EXPECT_GT(report["kinds"]["wave"]["samples"], 1000);
     EXPECT_NE(program_.read("out/wave.net").find("\ncurve wave "), std::string::npos);
 
@@ -141,7 +141,7 @@ TEST_F(CurveCommand, DrawsAFormula) {
                       "1ms", "--set", "Order=4", "--unit", "100nm", "-q", "-o", "again"});
     ASSERT_EQ(again.status, 0) << again.err;
     const auto second = nlohmann::json::parse(program_.read("again/report.json"));
-    EXPECT_LE(second["kinds"]["wave"]["of_bound"], 1);
+    EXPECT_LE(second["kinds"]["wave"]["max_of_bound"], 1);
     EXPECT_GT(second["kinds"]["wave"]["samples"], 1000);
 }
 
@@ -196,10 +196,11 @@ TEST_F(NamedCurves, AreDrawnWithinTheirBound) {
     EXPECT_LT(report["limits"]["planned"]["joints"]["acceleration"], 1e-3) << "tangent joints";
     const auto& kind = report["kinds"]["clothoid"];
     EXPECT_GT(kind["samples"], 500);
-    EXPECT_LE(kind["of_bound"], 1);
-    EXPECT_GT(kind["of_bound"], 0.05);
+    EXPECT_LE(kind["max_of_bound"], 1);
+    EXPECT_GT(kind["max_of_bound"], 0.05);
     int segments = 0;
-    for (const auto& segment : json("segments.json")["segments"]) {
+    const auto written = json("segments.json");
+    for (const auto& segment : written["segments"]) {
         if (segment["kind"] != "clothoid") continue;
         ++segments;
         EXPECT_NEAR(segment["curvature_end_per_mm"].get<double>() -
@@ -234,7 +235,7 @@ TEST_F(NamedCurves, AreRefusedWhereNothingDrawsThem) {
               std::string::npos);
     EXPECT_EQ(refusal({"--curve", "clothoid", "--interpreter", "linuxcnc"}),
               "curvecore: error: --curve or --interpreter: LinuxCNC's does not know the comment\n");
-    EXPECT_EQ(refusal({}).substr(0, 33), "p.ngc:3: error: a curve 'clothoid'");
+    EXPECT_EQ(refusal({}).find("p.ngc:3: error: a curve 'clothoid'"), 0U);
     EXPECT_EQ(refusal({"--curve", "clothoid", "--on", "kernel", "--set", "CoefBits=20"}),
               "p.ngc:4: error: the words of this core do not draw this clothoid within 0.1 units: "
               "take a larger CoefBits or Order\n");

@@ -52,7 +52,7 @@ void assemble_table_words(const std::string& programs, const ref::CoreParameters
 StoreSize motion_store(const ref::CoreParameters& core) {
     StoreSize size;
     const bool small = core.order <= 6 && core.aux_axes == 0 && !core.table;
-    const bool large = core.order > 9 || core.order + core.aux_axes > 12;
+    const bool large = core.order > 9 || core.order + core.aux_axes > 12 || core.table;
     size.program = small ? 1536 : large ? 4096 : 2048;
     size.data = small ? 256 : 512;
     size.axis_pages = small ? 1 : 2;
