@@ -258,12 +258,8 @@ class Cutter {
                                "take a larger CoefBits or Order",
                                move.table.name(), options_.error_limit));
         }
-        for (const PlannedMove& planned : table_stretches(program_, machine_, segments.data(),
-                                                          segments.size(), options_.unit_mm)) {
-            geometry_.moves.push_back(planned);
-        }
-        for (Segment& segment : segments) turns_.leave_out(segment);
-        geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
+        append(segments, table_stretches(program_, machine_, segments.data(), segments.size(),
+                                         options_.unit_mm));
     }
 
     void add_spline(std::size_t index) {
@@ -277,10 +273,13 @@ class Cutter {
                 return spline_fits(program_, index, options_, format, finer);
             });
         }
-        for (const PlannedMove& planned : spline_stretches(program_, machine_, segments.data(),
-                                                           segments.size(), options_.unit_mm)) {
-            geometry_.moves.push_back(planned);
-        }
+        append(segments, spline_stretches(program_, machine_, segments.data(), segments.size(),
+                                          options_.unit_mm));
+    }
+
+    /// Appends a curve's segments and its stretches.
+    void append(std::vector<Segment>& segments, const std::vector<PlannedMove>& stretches) {
+        geometry_.moves.insert(geometry_.moves.end(), stretches.begin(), stretches.end());
         for (Segment& segment : segments) turns_.leave_out(segment);
         geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
     }
