@@ -11,6 +11,15 @@
 
 namespace curvecore::sysc {
 
+/// The first word of a segment at a place of the bus; of a row of three axes the others follow.
+inline const std::int64_t* words_at(const ref::BusPlace& place, const RunSegment& words) {
+    if (place.further()) return words.further.data() + place.number;
+    if (place.field == "theta") return &words.theta;
+    return place.field == "tangent"  ? words.tangent
+           : place.field == "normal" ? words.normal
+                                     : words.advance;
+}
+
 /// Axes X Y Z of a segment; for hls::InterpolatorKernel.
 class TableKernel {
   public:
@@ -30,13 +39,9 @@ class TableKernel {
         for (const auto& [name, row] : table_.bus) {
             const ref::CurveRow& of = table_.rows.at(row);
             const ref::BusPlace place = ref::bus_place(name);
-            const std::int64_t* const field = place.further()            ? words.further.data()
-                                              : place.field == "theta"   ? &words.theta
-                                              : place.field == "tangent" ? words.tangent
-                                              : place.field == "normal"  ? words.normal
-                                                                         : words.advance;
+            const std::int64_t* const field = words_at(place, words);
             for (int axis = 0; axis < (of.of_axis ? 3 : 1); ++axis) {
-                const Real word(field[place.number + axis]);
+                const Real word(field[axis]);
                 machine_.set(row, ldexp(word, -coef_bits_ - of.fraction), axis);
             }
         }

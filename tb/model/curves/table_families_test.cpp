@@ -133,18 +133,13 @@ class MicrocodeOfTable {
         engine_.set("fine_scale", std::int64_t{1} << (fine + words.step_exponent));
         for (int axis = 0; axis < 3; ++axis) engine_.set("start[k]", words.start[axis], axis);
         for (const auto& [place, row] : core_.table->bus) {
-            const ref::BusPlace of = ref::bus_place(place);
-            const std::int64_t* const field = of.further()            ? words.further.data()
-                                              : of.field == "theta"   ? &words.theta
-                                              : of.field == "tangent" ? words.tangent
-                                              : of.field == "normal"  ? words.normal
-                                                                      : words.advance;
+            const std::int64_t* const field = sysc::words_at(ref::bus_place(place), words);
             if (!core_.table->rows.at(row).of_axis) {
-                engine_.set(place, field[of.number]);
+                engine_.set(place, field[0]);
                 continue;
             }
             for (int axis = 0; axis < 3; ++axis) {
-                engine_.set(place + "[k]", field[of.number + axis], axis);
+                engine_.set(place + "[k]", field[axis], axis);
             }
         }
     }
