@@ -18,6 +18,7 @@ constexpr double kLeftOutOfStep =
     1e-15;                           // of a step: the last orders of a series that is long enough
 constexpr double kOffUnit = 1e-5;    // of |r'|, by rounded rows
 constexpr double kNoMotion = 1e-12;  // of a step
+constexpr double kSamePlace = 1e-9;  // the same
 constexpr std::size_t kMostSteps = 100'000;
 constexpr int kPlacesOfStep = 64;
 
@@ -102,7 +103,8 @@ bool TableCurve::made_in_steps(const Vec3& start, double h) {
 }
 
 std::size_t TableCurve::step_at(double s) const {
-    const double step = std::floor(std::clamp(s, 0.0, length_) / h_);
+    // The end of a step, i h, may be a little below i steps.
+    const double step = std::floor(std::clamp(s, 0.0, length_) / h_ + kSamePlace);
     return std::min(static_cast<std::size_t>(step), steps_.size() - 1);
 }
 

@@ -160,6 +160,23 @@ TEST(TableCurve, GoesOnFromAnyPlace) {
     }
 }
 
+/// The bound of a derivative at a step's start is that of the step which begins there.
+TEST(TableCurve, BoundsTheStepBehindEachEnd) {
+    std::mt19937_64 random(5);
+    int steps = 0;
+    for (int n = 0; n < cases(100, 1000); ++n) {
+        const Clothoid exact = random_clothoid(random);
+        const TableCurve curve(exact.piece(), exact.start, exact.length);
+        const std::vector<double> ends = curve.step_ends();
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            const double middle = (ends[i] + ends[i + 1]) / 2;
+            EXPECT_EQ(curve.most_derivative(ends[i], 2), curve.most_derivative(middle, 2)) << i;
+            ++steps;
+        }
+    }
+    EXPECT_GT(steps, 500);
+}
+
 TEST(TableCurve, WithoutConvergenceIsRefused) {
     Clothoid wild{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), 1e6, 0, 10};
     EXPECT_THROW(TableCurve(wild.piece(), wild.start, wild.length), std::domain_error);
