@@ -212,7 +212,7 @@ TEST_F(NamedCurves, AreDrawnWithinTheirBound) {
     EXPECT_GT(segments, 0);
 }
 
-/// The engine's RTL is made as it is; its microcode has the table.
+/// The RTL of the engine is the same for all tables; its microcode has this one.
 TEST_F(NamedCurves, AreDrawnByTheRtlOfTheEngine) {
     const ProgramResult result = run({"--curve", "clothoid", "--build", "engine"});
     ASSERT_EQ(result.status, 0) << result.err;
