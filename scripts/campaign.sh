@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The long form of what the tests do in short, in parts. A part that ended well on this tree is not
-# run again, so a campaign that was stopped goes on. Four hours or so; build/campaign has each
-# part's log and, once it held, its results.
+# run again, nor a test of a part, so a campaign that was stopped goes on. Four hours or so;
+# build/campaign has each part's log and, once it held, its results.
 #
 #   scripts/campaign.sh [--samples N] [PART ...]    all parts, or these; N: 1000000000 when left out
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
@@ -93,33 +93,41 @@ targets() { cmake --build --preset release --target help | sed -nE "s/^($1): pho
 # What a part pipes into `result` is its outcome; a part that found nothing to say has failed.
 result() { grep . >>"$out/$part.results"; }
 
-# What ctest says at its end.
-none_failed() { sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' "$1"; }
-
-# Runs tests, as ctest's options say which.
+# Runs tests, as a preset and ctest's options say which. Those that have passed on this tree in a run
+# before this one are not run again.
 run_tests() {
-  ctest --preset release "$@" | tee $out/$part.run
-  none_failed $out/$part.run | result
+  local preset=$1 log=$out/$part-$tree.run asked
+  shift
+  [[ $tree != *-changed ]] || rm -f "$log"
+  touch "$log"
+  asked=$(ctest --preset "$preset" -N "$@" | sed -nE 's/^ *Test +#[0-9]+: +//p')
+  left() {  # ctest's -I counts among the tests that its other options choose
+    awk 'FILENAME == ARGV[1] {if (/ Passed |\*\*\*Skipped /) done[$4]; next}
+      !($1 in done) {printf ",%d", FNR}' "$log" <(echo "$asked")
+  }
+  [ -z "$(left)" ] || ctest --preset "$preset" "$@" -I "0,0,0$(left)" 2>&1 | tee -a "$log"
+  [ -z "$(left)" ]
+  echo "$(wc -l <<<"$asked") tests, none failed" | result
 }
 
 tidy() {
   build label_lint
-  CURVECORE_TIDY=all run_tests -R "^lint\\..*\\.tidy$"
+  CURVECORE_TIDY=all run_tests release -R "^lint\\..*\\.tidy$"
 }
 
 units() {
   build label_unit
-  CURVECORE_LONG=1 run_tests -L "^unit$" -LE "^long$"
+  CURVECORE_LONG=1 run_tests release -L "^unit$" -LE "^long$"
 }
 
 long() {
   build all label_long
-  CURVECORE_LONG=1 run_tests -L "^long$" -E LongOverride
+  CURVECORE_LONG=1 run_tests release -L "^long$" -E LongOverride
 }
 
 overrides() {
   build curvecore cli_tests
-  run_tests -R LongOverride
+  run_tests release -R LongOverride
 }
 
 models() {
@@ -256,8 +264,9 @@ limits() {
 
 # Runs the tests of a label with the sanitizers.
 sanitized() {
-  CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$1" | tee $out/$part.run
-  none_failed $out/$part.run | result
+  cmake --preset asan
+  cmake --build --preset asan -j "$(nproc)" --target "label_$1"
+  CURVECORE_MUTATIONS=100000 run_tests asan -L "^$1$" -LE "^long$"
 }
 asanmodels() { sanitized model; }
 asanunits() { sanitized unit; }

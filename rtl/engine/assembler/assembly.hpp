@@ -110,6 +110,8 @@ class Assembly {
     // Program. What follows comes from a line of source.
     void from(const Source& source) { source_ = source; }
     void label(const std::string& name);
+    /// Gives a label that is placed a second name.
+    void label(const std::string& name, const std::string& as);
     void put(engine::Op op, const Field& f2, const Field& f0, const Field& f1, bool flag = false,
              int limbs = 3);
     void add(const Field& to, const Field& a, const Field& b) { put(engine::Op::kAdd, to, a, b); }

@@ -44,9 +44,8 @@ void assemble_table_words(const std::string& programs, const ref::CoreParameters
         assemble_source(programs + "/table_words.asm", assembly);
         return;
     }
-    assembly.from({"segment_words", 0, "axes_end"});
-    assembly.label("axes_end");
-    assembly.branch("segment_whole");
+    assembly.label("no_kind", "bad_word");
+    assembly.label("axes_end", "segment_whole");
 }
 
 StoreSize motion_store(const ref::CoreParameters& core) {

@@ -63,7 +63,6 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
     assembly.define("coef_room", hls::kCoefField.bits - core.coef_bits);
     assembly.define("fine_room", hls::kPointField.bits - core.position_bits - core.guard_bits);
     assembly.define("kinds", core.splines != 0 ? 2 : 1);
-    assembly.define("tables", core.table ? 1 : 0);
     assembly.define("further_words", core.further_words);
     assembly.define("least_phi", core.coef_bits - 2 + 9);  // words.asm has 2^9 times the word
 }

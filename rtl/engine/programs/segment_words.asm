@@ -53,11 +53,7 @@ theta_word:
   kind = entering * 2^7
   kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1: of their last limb,
   test kind - kinds, 1 limb                # 32766 and 32767
-  if negative go to kind_known
-  test kind + tables                       # a table's is -1: any theta, no lambda
-  if zero go to next_axis
-  go to bad_word
-kind_known:
+  if not negative go to no_kind            # bad_word, or table_words.asm
   entry_limit = entry_limit + 32, 1 limb
   entry_limit = entry_limit * kind, 1 limb
   least = kind * 2^least_phi

@@ -3,6 +3,14 @@
 # Of cores that have a table.
 
 word entry_axis segment_select           # segment_words.asm
+local entry_link entry_fault entering kind
+
+no_kind:                                   # a table's is -1: any theta, no lambda
+  kind = entering * 2^7
+  kind = floor(kind * 2^2 >> 45)
+  test kind + 1
+  if zero go to next_axis
+  go to bad_word
 
 axes_end:
   entry_axis = 0 - further_words, 1 limb
