@@ -93,8 +93,8 @@ targets() { cmake --build --preset release --target help | sed -nE "s/^($1): pho
 # What a part pipes into `result` is its outcome; a part that found nothing to say has failed.
 result() { grep . >>"$out/$part.results"; }
 
-# Runs tests, as a preset and ctest's options say which. Those that have passed on this tree in a run
-# before this one are not run again.
+# Runs tests, as a preset and ctest's options say which. Those that have passed on this tree in a
+# run before this one are not run again.
 run_tests() {
   local preset=$1 log=$out/$part-$tree.run asked
   shift
