@@ -91,7 +91,7 @@ bool FeedWindow::keep_windows() {
                 course.rest(duration(stretch.phases));
             }
         }
-        const std::vector<JointCap> caps = joint_caps(task_.machine, course);
+        const std::vector<JointCap> caps = joint_caps(task_.machine, course, task_.options.workers);
         auto cap = caps.begin();
         for (; cap != caps.end() && open_ > 0 && cap->s <= given_end_; ++cap) {
             if (cap->t > seen) return false;

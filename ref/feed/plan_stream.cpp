@@ -7,10 +7,9 @@
 #include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_profile.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
-#include "ref/feed/stops/planned_branches.hpp"
-#include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/numeric/unlimited.hpp"
+#include "ref/numeric/workers.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "ref/text/input_error.hpp"
 
@@ -76,6 +75,30 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
 PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
+    if (behind_) std::rethrow_exception(std::exchange(behind_, nullptr));
+    std::unique_ptr<PlannedPart> given = std::move(held_);
+    if (!given) {
+        std::optional<PlannedPart> first = next_part();
+        if (!first) return {};
+        given = std::make_unique<PlannedPart>(*std::move(first));
+    }
+    if (!options_.workers || horizon_ != kUnlimited) {
+        given->find_branches(machine_, options_);
+        return std::move(given->plan);
+    }
+    each(options_.workers, 2, [&](std::size_t branches) {
+        if (branches == 1) return given->find_branches(machine_, options_);
+        try {
+            std::optional<PlannedPart> next = next_part();
+            if (next) held_ = std::make_unique<PlannedPart>(*std::move(next));
+        } catch (...) {
+            behind_ = std::current_exception();
+        }
+    });
+    return std::move(given->plan);
+}
+
+std::optional<PlannedPart> PlanStream::next_part() {
     bool all = false;      // everything is planned, whatever its size
     std::size_t seen = 0;  // moves of the window before
     for (std::size_t size = size_; !ended_;) {
@@ -287,24 +310,26 @@ bool PlanStream::profile(Window& window, const FeedTask& task) {
 }
 
 /// Gives out a window that is the whole program.
-Plan PlanStream::give_out_whole(Window& window) {
-    Plan plan = std::move(window.profile->plan);
+PlannedPart PlanStream::give_out_whole(Window& window) {
+    PlannedPart whole;
+    Plan& plan = whole.plan;
+    plan = std::move(window.profile->plan);
     plan.core_slowed =
         core_slowed(task_of(window), window.profile->motion, 0, window.geometry.moves.size());
     plan.segments = std::move(window.geometry.segments);
     set_segment_feeds(program_, options_, plan.pieces, plan.segments);
     plan.segments.back().last = plan.pieces.back().final = ended_ = true;
-    return plan;
+    return whole;
 }
 
 /// Gives out the window up to its cut, or to its rest.
-Plan PlanStream::give_out(std::unique_ptr<Window> window) {
+PlannedPart PlanStream::give_out(std::unique_ptr<Window> window) {
     const std::vector<PlannedMove>& moves = window->geometry.moves;
     const std::size_t cut = window->profile->cut;
-    Plan plan = part(*window, window->open, cut > 0 ? cut : moves.size());
+    PlannedPart given = part(*window, window->open, cut > 0 ? cut : moves.size());
     if (cut == 0) {
         drop(program_.moves.size());
-        return plan;
+        return given;
     }
     const std::size_t first = given_from(window->profile->motion, cut, machine_);
     drop(moves[first].move);
@@ -312,15 +337,15 @@ Plan PlanStream::give_out(std::unique_ptr<Window> window) {
     miss_ = moves[first].miss;
     given_ = window->profile->motion.given(first, cut);
     before_ = std::move(window);
-    return plan;
+    return given;
 }
 
-Plan PlanStream::stop_where_planned() {
+PlannedPart PlanStream::stop_where_planned() {
     const std::unique_ptr<Window> window = std::move(before_);
     if (forced_stops_++ == 0) forced_stop_line_ = program_.moves[window->end - dropped_ - 1].line;
-    Plan plan = part(*window, window->profile->cut, window->geometry.moves.size());
+    PlannedPart rest = part(*window, window->profile->cut, window->geometry.moves.size());
     drop(window->end - dropped_);
-    return plan;
+    return rest;
 }
 
 /// Drops the moves before `first`: the next window begins there, at rest unless a motion is given.
@@ -335,7 +360,7 @@ void PlanStream::drop(std::size_t first) {
 }
 
 /// Returns the plan of the planned moves from `first` up to `end` (not included).
-Plan PlanStream::part(Window& window, std::size_t first, std::size_t end) {
+PlannedPart PlanStream::part(Window& window, std::size_t first, std::size_t end) {
     const std::vector<PlannedMove>& moves = window.geometry.moves;
     const auto length = [&](std::size_t from, std::size_t to) {
         std::uint64_t sum = 0;
@@ -344,7 +369,8 @@ Plan PlanStream::part(Window& window, std::size_t first, std::size_t end) {
     };
     const std::uint64_t from = length(0, first);
     const std::uint64_t to = from + length(first, end);
-    Plan plan = frame_;
+    PlannedPart part;
+    Plan& plan = part.plan = frame_;
     plan.slowed_moves = window.profile->plan.slowed_moves;
     plan.slowed_line = window.profile->plan.slowed_line;
     plan.core_slowed =
@@ -359,36 +385,16 @@ Plan PlanStream::part(Window& window, std::size_t first, std::size_t end) {
     plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
     set_segment_feeds(program_, options_, plan.pieces, plan.segments);
     ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
-    if (options_.has_branches()) add_branches(window, first, end, plan);
+    if (options_.has_branches()) {
+        part.moves.emplace(moves, first, end, program_, dropped_ - window.first);
+    }
     for (Segment& segment : plan.segments) {
         segment.s_start += path_;
         segment.move += window.first;
     }
     path_ += to - from;
     plan.segments.back().last = plan.pieces.back().final = ended_;
-    return plan;
-}
-
-/// Adds stop branches; where a part does not end at rest, their stops end in it.
-void PlanStream::add_branches(const Window& window, std::size_t first, std::size_t end,
-                              Plan& plan) const {
-    Geometry own;
-    for (std::size_t i = first; i < end; ++i) {
-        own.moves.push_back(window.geometry.moves[i]);
-        own.moves.back().move += window.first - dropped_;
-    }
-    set_branches(program_, machine_, own, options_, plan);
-    if (end == window.geometry.moves.size()) return;
-    double left = ticks_of(plan.pieces);
-    std::size_t piece = 0;
-    std::size_t kept = 0;
-    for (const PlannedBranch& branch : plan.branches) {
-        for (; piece < branch.piece; ++piece) left -= plan.pieces[piece].ticks;
-        if (left < kStopLead + 1 + ticks_passed(branch.steps)) break;
-        ++kept;
-    }
-    plan.branches.resize(kept);
-    if (kept > 0) plan.branches.back().wait = kNoWait;
+    return part;
 }
 
 }  // namespace curvecore::ref

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 
+#include "ref/feed/stops/part_branches.hpp"
 #include "ref/feed/stretch.hpp"
 #include "ref/moves/move_source.hpp"
 #include "ref/numeric/unlimited.hpp"
@@ -39,7 +40,8 @@ class PlanStream {
 
     /// Makes the plan of the next part from the moves that follow: its segments and pieces follow
     /// those of the part before, path and moves count from the program's start, and the bounds of
-    /// holds are the same.
+    /// holds are the same. With workers and no horizon the part behind it is planned, too, while
+    /// its own branches are found: raise_feed() leaves that part as it is.
     ///
     /// @throws InputError once, in place of a part that cannot be planned: what was given out ends
     ///         at rest before it
@@ -58,6 +60,7 @@ class PlanStream {
   private:
     struct Window;
 
+    std::optional<PlannedPart> next_part();
     void read(std::size_t size);
     double open_time() const;
     bool is_short(const Window& window);
@@ -73,11 +76,10 @@ class PlanStream {
     void leave_out_what_fails();
     FeedTask task_of(Window& window) const;
     bool profile(Window& window, const FeedTask& task);
-    Plan give_out_whole(Window& window);
-    Plan give_out(std::unique_ptr<Window> window);
-    Plan stop_where_planned();
-    Plan part(Window& window, std::size_t first, std::size_t end);
-    void add_branches(const Window& window, std::size_t first, std::size_t end, Plan& plan) const;
+    PlannedPart give_out_whole(Window& window);
+    PlannedPart give_out(std::unique_ptr<Window> window);
+    PlannedPart stop_where_planned();
+    PlannedPart part(Window& window, std::size_t first, std::size_t end);
     void drop(std::size_t first);
     void fail();
 
@@ -97,7 +99,9 @@ class PlanStream {
     std::vector<Move> next_;       // moves that follow it, up to one that has a length
     bool more_ = true;             // such a move exists
     std::vector<GivenRun> given_;
-    std::unique_ptr<Window> before_;  // the last window, for what lies behind its cut
+    std::unique_ptr<Window> before_;     // the last window, for what lies behind its cut
+    std::unique_ptr<PlannedPart> held_;  // a part that is not yet given
+    std::exception_ptr behind_;          // the error behind it
     bool begun_ = false;
     bool ended_ = false;
     std::exception_ptr error_;

@@ -36,11 +36,11 @@ class Standstills {
     std::vector<double> places_;
 };
 
-SplineCut cut_of(const Cubic& piece, const Aux& rate, const PlanOptions& options, double fastest) {
+SharedCut cut_of(const Cubic& piece, const Aux& rate, const PlanOptions& options, double fastest) {
     const double last_step = least_last_step(fastest, options);
     if (!options.cuts) {
-        return cut_spline(piece, options.format, options.error_limit, rate, options.max_pieces,
-                          last_step);
+        return std::make_shared<const SplineCut>(cut_spline(
+            piece, options.format, options.error_limit, rate, options.max_pieces, last_step));
     }
     return options.cuts->of(piece, options.format, options.error_limit, rate, options.max_pieces,
                             last_step);
@@ -74,7 +74,8 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
     const long double begin = path;
     for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
         const Cubic piece = sub_cubic(cubic, cuts[part], cuts[part + 1]);
-        for (Segment& segment : placed(cut_of(piece, rate, options, fastest), path)) {
+        const SharedCut cut = cut_of(piece, rate, options, fastest);
+        for (Segment& segment : placed(*cut, path)) {
             if (segment.length == 0) continue;
             segment.move = index;
             segment.line = move.line;

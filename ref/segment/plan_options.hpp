@@ -15,6 +15,7 @@
 namespace curvecore::ref {
 
 class KnownCuts;  // ref/segment/spline_cut.hpp
+class Workers;    // ref/numeric/workers.hpp
 
 /// Time of a core for the start of a step within its segment, and of a segment, s.
 struct CurveTime {
@@ -66,6 +67,7 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// |                        |        | a stop if that is longer; unlimited: what `window` says    |
 /// | advise                 |        | a refusal names a width that suffices: takes many plans    |
 /// | cuts                   |        | of cubics that were cut before; none: they are not kept    |
+/// | workers                |        | threads that plan besides; none: this one alone            |
 struct PlanOptions {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -83,6 +85,7 @@ struct PlanOptions {
     std::size_t window = 3000;
     double horizon_s = kUnlimited;
     std::shared_ptr<KnownCuts> cuts;
+    std::shared_ptr<Workers> workers;
 
     bool has_branches() const { return effort == Effort::kOptimum && holds == Holds::kBranches; }
     double tick_s() const { return sample_period_s * samples_per_tick; }

@@ -7,9 +7,9 @@
 namespace curvecore::ref {
 namespace {
 
-// Cuts kept: those of a window of moves (PlanOptions) and of the group after it that is checked.
-constexpr std::size_t kRecent = 4096;
-constexpr std::size_t kRecentPieces = 8192;  // of them all: some megabytes
+// Cuts kept: those of a window of moves (PlanOptions) and of what is checked behind it.
+constexpr std::size_t kRecent = 8192;
+constexpr std::size_t kRecentPieces = 16384;  // of them all: some megabytes
 
 }  // namespace
 
@@ -22,16 +22,46 @@ std::size_t KnownCuts::Hash::operator()(const Key& key) const {
     return hash;
 }
 
-const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format, double limit,
-                               const Aux& aux_advance, int max_pieces, double least_last_step) {
-    if (!(format == format_) || limit != limit_ || max_pieces != max_pieces_) {
+std::size_t KnownCuts::size() const {
+    const std::lock_guard lock(mutex_);
+    return recent_.size() + before_.size();
+}
+
+/// Forgets cuts of another core or limit.
+void KnownCuts::use(const CoreParameters& format, double limit, int max_pieces) {
+    if (format == format_ && limit == limit_ && max_pieces == max_pieces_) return;
+    recent_.clear();
+    before_.clear();
+    recent_pieces_ = 0;
+    format_ = format;
+    limit_ = limit;
+    max_pieces_ = max_pieces;
+}
+
+/// Returns null if it is not kept.
+SharedCut KnownCuts::known(const Key& key) {
+    const auto recent = recent_.find(key);
+    if (recent != recent_.end()) return recent->second;
+    const auto old = before_.find(key);
+    if (old == before_.end()) return {};
+    const SharedCut cut = old->second;
+    before_.erase(old);
+    keep(key, cut);
+    return cut;
+}
+
+void KnownCuts::keep(const Key& key, const SharedCut& cut) {
+    if (recent_.size() >= kRecent || recent_pieces_ >= kRecentPieces) {
+        before_ = std::move(recent_);
         recent_.clear();
-        before_.clear();
         recent_pieces_ = 0;
-        format_ = format;
-        limit_ = limit;
-        max_pieces_ = max_pieces;
     }
+    recent_pieces_ += cut->pieces.size();
+    recent_.emplace(key, cut);
+}
+
+SharedCut KnownCuts::of(const Cubic& cubic, const CoreParameters& format, double limit,
+                        const Aux& aux_advance, int max_pieces, double least_last_step) {
     Key key;
     std::size_t next = 0;
     const auto add = [&](double number) { std::memcpy(&key[next++], &number, sizeof number); };
@@ -40,21 +70,18 @@ const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format,
     }
     for (const double number : aux_advance) add(number);
     add(least_last_step);
-
-    const auto known = recent_.find(key);
-    if (known != recent_.end()) return known->second;
-    const auto old = before_.find(key);
-    SplineCut cut = old != before_.end() ? std::move(old->second)
-                                         : cut_spline(cubic, format, limit, aux_advance, max_pieces,
-                                                      least_last_step);
-    if (old != before_.end()) before_.erase(old);
-    if (recent_.size() >= kRecent || recent_pieces_ >= kRecentPieces) {
-        before_ = std::move(recent_);
-        recent_.clear();
-        recent_pieces_ = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        use(format, limit, max_pieces);
+        if (SharedCut cut = known(key)) return cut;
     }
-    recent_pieces_ += cut.pieces.size();
-    return recent_.emplace(key, std::move(cut)).first->second;
+    // Other threads need not wait for it, though two may cut the same cubic.
+    auto cut = std::make_shared<const SplineCut>(
+        cut_spline(cubic, format, limit, aux_advance, max_pieces, least_last_step));
+    const std::lock_guard lock(mutex_);
+    use(format, limit, max_pieces);
+    keep(key, cut);
+    return cut;
 }
 
 }  // namespace curvecore::ref

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <vector>
 
@@ -22,6 +24,7 @@ struct SplineCut {
     std::vector<Segment> pieces;
     std::vector<double> lengths;
 };
+using SharedCut = std::shared_ptr<const SplineCut>;
 
 /// Makes the pieces of split_spline() (ref/segment/spline_segment.hpp), which places them; with a
 /// least_last_step(), units, some more of them (ref/segment/last_step.hpp).
@@ -29,14 +32,14 @@ struct SplineCut {
 SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                      const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
-/// The last cuts, some thousands of them, of one core and limit.
+/// The last cuts, some thousands of them, of one core and limit, for all threads.
 class KnownCuts {
   public:
-    /// Returns cut_spline() of the same arguments; valid up to the next call.
-    const SplineCut& of(const Cubic& cubic, const CoreParameters& format, double limit,
-                        const Aux& aux_advance, int max_pieces, double least_last_step = 0);
+    /// Returns cut_spline() of the same arguments.
+    SharedCut of(const Cubic& cubic, const CoreParameters& format, double limit,
+                 const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
-    std::size_t size() const { return recent_.size() + before_.size(); }
+    std::size_t size() const;
 
   private:
     // The doubles of a cubic, of a rate and of a last step.
@@ -44,8 +47,13 @@ class KnownCuts {
     struct Hash {
         std::size_t operator()(const Key& key) const;
     };
-    using Cuts = std::unordered_map<Key, SplineCut, Hash>;
+    using Cuts = std::unordered_map<Key, SharedCut, Hash>;
 
+    void use(const CoreParameters& format, double limit, int max_pieces);
+    SharedCut known(const Key& key);
+    void keep(const Key& key, const SharedCut& cut);
+
+    mutable std::mutex mutex_;
     CoreParameters format_;
     double limit_ = 0;
     int max_pieces_ = 0;

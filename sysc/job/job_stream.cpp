@@ -28,6 +28,8 @@ int aux_axes_of(const ref::Move& move) {
 }
 
 constexpr double kLivePart = 0.5;  // s, least time of a part of a move
+/// Moves that another thread reads ahead: those of a window that is planned at once, and more.
+constexpr std::size_t kAhead = 4000;
 
 bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
 
@@ -152,8 +154,8 @@ void JobStream::use(const Seen& seen) {
 bool JobStream::take(ref::Move& move) {
     if (!parts_->next(move)) return false;
     ++given_;
-    outputs_->add(move, moves_->program().events());
-    waits_.add(move, moves_->program().events());
+    outputs_->add(move, events());
+    waits_.add(move, events());
     if (keeps_) job_.plan.moves.push_back(move);
     return true;
 }
@@ -164,7 +166,7 @@ bool JobStream::take_next(ref::Move& move) {
         move = first_[taken_++];
         return true;
     }
-    if (!read(*moves_, move)) return false;
+    if (!(ahead_ ? ahead_->next(move) : read(*moves_, move))) return false;
     if (aux_axes_of(move) > job_.program.aux_axes) {
         throw ref::InputError(
             job_.program.file, move.line,
@@ -190,7 +192,7 @@ const ref::Plan* JobStream::next() {
         end();
         return nullptr;
     }
-    if (part_->segments.back().last) outputs_->end(moves_->program().events());
+    if (part_->segments.back().last) outputs_->end(events());
     outputs_->place(*part_);
     waits_.place(*part_);
     static_cast<ref::PlanFrame&>(job_.plan) = *part_;
@@ -219,6 +221,10 @@ void JobStream::begin() {
     }
     ref::PlanOptions options = job_.options.plan_options();
     options.cuts = moves_->cuts();
+    if (job_.options.threads > 1) {
+        options.workers = std::make_shared<ref::Workers>(job_.options.threads);
+        read_ahead(options.workers);
+    }
     const bool live = job_.options.live;
     parts_.emplace([this](ref::Move& move) { return take_next(move); }, job_.machine,
                    live ? kLivePart : ref::kLongestPart);
@@ -230,6 +236,20 @@ void JobStream::begin() {
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, faster * fastest_},
                   job_.machine, options);
+}
+
+/// Lets another thread read the program, where it may wait for it: a file.
+void JobStream::read_ahead(const std::shared_ptr<ref::Workers>& workers) {
+    const Options& options = job_.options;
+    if (options.open_program || options.file == ref::kStandardInput) return;
+    ahead_.emplace([this](ref::Move& move) { return read(*moves_, move); },
+                   [this]() -> const ref::Events& { return moves_->program().events(); }, workers,
+                   kAhead);
+}
+
+/// Returns the events before the end of the last move that was taken, or more.
+const ref::Events& JobStream::events() const {
+    return ahead_ ? ahead_->events() : moves_->program().events();
 }
 
 /// Draws the program as written: the core is too slow for splines, which the program may lack.

@@ -6,6 +6,7 @@
 
 #include "ref/feed/plan_stream.hpp"
 #include "ref/limits/move_parts.hpp"
+#include "ref/moves/moves_ahead.hpp"
 #include "ref/outputs/placed_outputs.hpp"
 #include "ref/outputs/placed_waits.hpp"
 #include "sysc/job/drawn_moves.hpp"
@@ -62,10 +63,13 @@ class JobStream {
     bool read(DrawnMoves& moves, ref::Move& move) const;
     bool take(ref::Move& move);
     bool take_next(ref::Move& move);
+    void read_ahead(const std::shared_ptr<ref::Workers>& workers);
+    const ref::Events& events() const;
 
     std::optional<ref::SplineForm> form_;
     Job job_;
     std::optional<DrawnMoves> moves_;
+    std::optional<ref::MovesAhead> ahead_;  // of these, with several threads
     std::optional<ref::MoveParts> parts_;
     std::vector<ref::Move> first_;  // first moves of standard input, which were checked
     std::size_t taken_ = 0;         // number of these that were taken

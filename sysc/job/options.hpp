@@ -55,6 +55,7 @@ struct Options {
     bool quiet = false;
     bool for_steps = false;  // for a board that counts steps: words keep every turn of an axis
     bool live = false;       // planned shortly before it is drawn: feeds may be raised
+    int threads = 1;         // that plan
 
     // Options of `run` alone
     BoardKind board = BoardKind::kRtl;

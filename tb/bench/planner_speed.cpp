@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
+#include <optional>
 
 #include "ref/feed/plan_stream.hpp"
+#include "ref/moves/moves_ahead.hpp"
 #include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_stream.hpp"
+#include "ref/segment/spline_cut.hpp"
 
 namespace {
 
@@ -78,6 +83,36 @@ void row(std::size_t moves, const char* name, Effort effort) {
                use.ru_maxrss / 1024);
 }
 
+/// Prints the time, by the clock on the wall, with so many threads, and how many times less it is
+/// than with one.
+void threads_row(std::size_t moves, int threads, double& one) {
+    using Clock = std::chrono::steady_clock;
+    const Machine machine;
+    Surface surface(moves);
+    PlanOptions options;
+    options.format.splines = 1;
+    options.segment_queue_words = kBoardSegmentWords;
+    options.cuts = std::make_shared<KnownCuts>();
+    if (threads > 1) options.workers = std::make_shared<Workers>(threads);
+    SmoothStream smooth([&](Move& move) { return surface.next(move); }, machine);
+    const Events none;
+    std::optional<MovesAhead> ahead;
+    const MoveSource read = [&](Move& move) { return smooth.next(move); };
+    if (threads > 1) {
+        ahead.emplace(
+            read, [&]() -> const Events& { return none; }, options.workers, options.window);
+    }
+    const Clock::time_point from = Clock::now();
+    PlanStream stream([&](Move& move) { return ahead ? ahead->next(move) : read(move); },
+                      {"surface", 0, kFeed}, machine, options);
+    while (stream.next()) {
+    }
+    const double time = std::chrono::duration<double>(Clock::now() - from).count();
+    if (threads == 1) one = time;
+    fmt::print("| {} | {:.1f} | {:.2f} |\n", threads, 1e6 * time / static_cast<double>(moves),
+               one / time);
+}
+
 }  // namespace
 
 int main() {
@@ -90,4 +125,7 @@ int main() {
         row(moves, "rules", Effort::kRules);
         row(moves, "optimum", Effort::kOptimum);
     }
+    fmt::print("\n| threads | us a move, on the wall | times as fast as one |\n|---|---|---|\n");
+    double one = 0;
+    for (const int threads : {1, 2, 4}) threads_row(50000, threads, one);
 }

@@ -11,6 +11,7 @@ constexpr double kSpare = 4 * kStraight;  // share of A T
 constexpr double kFine = 1.2;             // ratio of lengths
 constexpr double kLarge = 0.02;           // share of A T
 constexpr int kPairs = 24;                // joints
+constexpr std::size_t kJumpsAtOnce = 64;  // whose pairs one thread looks at
 constexpr double kExponent = 0.6;  // power of the ratio that lowers speed: jumps go with v, bends
                                    // with v^3
 constexpr double kLeastSpeedShare = 0.5;  // share of the speed: it is lowered by no more at once
@@ -71,12 +72,13 @@ WindowRule::WindowRule(const Machine& machine, const VelocityCourse& course)
     }
 }
 
-std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course) {
+std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course,
+                                 const std::shared_ptr<Workers>& workers) {
     const auto& joints = course.all_joints();
     std::vector<JointCap> caps;
     for (std::size_t first = 0; first < joints.size();) {
         const std::size_t end = course.look_at(first, window_reach(machine));
-        for (const JointCap& cap : WindowRule(machine, course).caps()) {
+        for (const JointCap& cap : WindowRule(machine, course).caps(workers)) {
             if (cap.s >= joints[first].s && cap.s <= joints[end - 1].s) caps.push_back(cap);
         }
         first = end;
@@ -84,12 +86,25 @@ std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course)
     return caps;
 }
 
-std::vector<JointCap> WindowRule::caps() {
-    for (double w = joint_time_; w < longest_; w *= w < fine_ ? kFine : 2) look_at_length(w);
-    look_at_pairs();
-    look_at_jumps();
+std::vector<JointCap> WindowRule::caps(const std::shared_ptr<Workers>& workers) {
+    std::vector<double> lengths;
+    for (double w = joint_time_; w < longest_; w *= w < fine_ ? kFine : 2) lengths.push_back(w);
+    const std::vector<Jump> large = large_jumps();
+    const std::size_t parts = (large.size() + kJumpsAtOnce - 1) / kJumpsAtOnce;
+    std::vector<Found> found(lengths.size() + parts);
+    each(workers, found.size(), [&](std::size_t i) {
+        if (i < lengths.size()) {
+            look_at_length(lengths[i], found[i]);
+        } else {
+            const std::size_t first = (i - lengths.size()) * kJumpsAtOnce;
+            look_at_pairs(large, first, std::min(first + kJumpsAtOnce, large.size()), found[i]);
+        }
+    });
+    Found all;
+    for (const Found& some : found) all.insert(all.end(), some.begin(), some.end());
+    look_at_jumps(all);
     std::vector<bool> linked(course_.joints().size(), false);
-    const std::vector<double> speed = speeds(linked);
+    const std::vector<double> speed = speeds(all, linked);
     std::vector<JointCap> caps;
     for (std::size_t i = 0; i < speed.size(); ++i) {
         if (speed[i] == 0) continue;
@@ -119,25 +134,27 @@ double WindowRule::most_second(const Limit& limit, double w) const {
 }
 
 /// Checks (a) for the window that begins at t.
-void WindowRule::change(const AxisVector& from, const AxisVector& to, double t, double w) {
+void WindowRule::change(const AxisVector& from, const AxisVector& to, double t, double w,
+                        Found& found) const {
     const double weakest = most_change(weakest_, w);
     if (change_square(course_.axes(), from, to) <= weakest * weakest) return;
     const AxisVector size = combine(course_.axes(), 1, to, -1, from);
-    keep(t, t + w, ratio(size, [&](const Limit& limit) { return most_change(limit, w); }));
+    keep(t, t + w, ratio(size, [&](const Limit& limit) { return most_change(limit, w); }), found);
 }
 
 /// Checks (b) for the windows that begin at t.
 void WindowRule::second(const AxisVector& a, const AxisVector& b, const AxisVector& c, double t,
-                        double w) {
+                        double w, Found& found) const {
     const std::size_t axes = course_.axes();
     const double weakest = most_second(weakest_, w);
     if (second_square(axes, a, b, c) <= weakest * weakest) return;
     const AxisVector size = combine(axes, 1, combine(axes, 1, a, -2, b), 1, c);
-    keep(t, t + 2 * w, ratio(size, [&](const Limit& limit) { return most_second(limit, w); }));
+    keep(t, t + 2 * w, ratio(size, [&](const Limit& limit) { return most_second(limit, w); }),
+         found);
 }
 
 /// Lowers the speed of the joints of a window.
-void WindowRule::keep(double from, double to, double ratio) {
+void WindowRule::keep(double from, double to, double ratio, Found& found) const {
     if (ratio <= 1) return;
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
@@ -152,12 +169,12 @@ void WindowRule::keep(double from, double to, double ratio) {
         v = std::max(v, knots[*joint].v);
     }
     const double factor = std::max(kLeastSpeedShare, 0.99 * std::pow(ratio, -kExponent));
-    broken_.push_back({static_cast<std::size_t>(first - joints.begin()),
-                       static_cast<std::size_t>(end - joints.begin() - 1), v * factor});
+    found.push_back({static_cast<std::size_t>(first - joints.begin()),
+                     static_cast<std::size_t>(end - joints.begin() - 1), v * factor});
 }
 
 /// Checks all windows of length w with a place at a knot and a joint within.
-void WindowRule::look_at_length(double w) {
+void WindowRule::look_at_length(double w, Found& found) const {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
     std::array<std::size_t, 4> place{};
@@ -173,16 +190,17 @@ void WindowRule::look_at_length(double w) {
         const AxisVector e = course_.at(t + 2 * w, place[3]);
         for (const AxisVector* c : {&knot.before, &knot.after}) {
             if (c == &knot.after && !knot.joint) break;
-            change(b, *c, t - w, w);
-            change(*c, d, t, w);
-            second(a, b, *c, t - 2 * w, w);
-            second(b, *c, d, t - w, w);
-            second(*c, d, e, t, w);
+            change(b, *c, t - w, w, found);
+            change(*c, d, t, w, found);
+            second(a, b, *c, t - 2 * w, w, found);
+            second(b, *c, d, t - w, w, found);
+            second(*c, d, e, t, w, found);
         }
     }
 }
 
-void WindowRule::look_at_pairs() {
+/// Returns the joints whose pairs are checked.
+std::vector<WindowRule::Jump> WindowRule::large_jumps() const {
     const auto& knots = course_.knots();
     std::vector<Jump> large;
     for (const std::size_t joint : course_.joints()) {
@@ -195,20 +213,27 @@ void WindowRule::look_at_pairs() {
         large.push_back({&knot, joint, combine(axes, 0.5, knot.before, 0.5, knot.after),
                          std::sqrt(change_square(axes, knot.before, knot.after)) / 2});
     }
-    std::size_t from = 0;
-    for (std::size_t i = 0; i < large.size(); ++i) {
+    return large;
+}
+
+/// Checks the pairs that begin at these jumps.
+void WindowRule::look_at_pairs(const std::vector<Jump>& large, std::size_t first, std::size_t end,
+                               Found& found) const {
+    std::size_t from = first;
+    for (std::size_t i = first; i < end; ++i) {
         while (from < large.size() && large[from].knot->t - large[i].knot->t < joint_time_) ++from;
         Places places{large[i].index, large[i].index, large[i].index};
         for (std::size_t j = from; j < std::min(large.size(), from + kPairs); ++j) {
             if (large[j].knot->t - large[i].knot->t > 2 * longest_) break;
-            look_at_pair(large[i], large[j], places);
+            look_at_pair(large[i], large[j], places, found);
         }
     }
 }
 
 /// Checks windows with two places at these joints, on either side of both jumps: first by the
 /// jumps' middles, which are half a jump from both sides.
-void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& places) {
+void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& places,
+                              Found& found) const {
     const Knot& one = *first.knot;
     const Knot& two = *last.knot;
     const double w = two.t - one.t;
@@ -232,16 +257,16 @@ void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& place
     }
     for (const AxisVector* a : {&one.before, &one.after}) {
         for (const AxisVector* b : {&two.before, &two.after}) {
-            change(*a, *b, one.t, w);
-            second(before, *a, *b, one.t - w, w);
-            second(*a, *b, after, one.t, w);
-            if (thirds) second(*a, middle, *b, one.t, w / 2);
+            change(*a, *b, one.t, w, found);
+            second(before, *a, *b, one.t - w, w, found);
+            second(*a, *b, after, one.t, w, found);
+            if (thirds) second(*a, middle, *b, one.t, w / 2, found);
         }
     }
 }
 
 /// Checks (c).
-void WindowRule::look_at_jumps() {
+void WindowRule::look_at_jumps(Found& found) const {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
     const auto add = [&](const AxisVector& sum, double sign, const Knot& knot) {
@@ -256,16 +281,17 @@ void WindowRule::look_at_jumps() {
             sum = add(sum, -1, knots[joints[first]]);
         }
         keep(knots[joints[first]].t, knots[last].t,
-             ratio(sum, [&](const Limit& limit) { return limit.acceleration * joint_time_; }));
+             ratio(sum, [&](const Limit& limit) { return limit.acceleration * joint_time_; }),
+             found);
     }
 }
 
 /// Returns for each joint the lowest speed that any violated window demands, 0 if none. Joints in
 /// one window are marked as linked.
-std::vector<double> WindowRule::speeds(std::vector<bool>& linked) {
+std::vector<double> WindowRule::speeds(Found& found, std::vector<bool>& linked) const {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
-    std::sort(broken_.begin(), broken_.end(),
+    std::sort(found.begin(), found.end(),
               [](const Broken& a, const Broken& b) { return a.velocity < b.velocity; });
     std::vector<double> speed(joints.size(), 0);
     std::vector<std::size_t> next(joints.size() + 1);  // not yet settled
@@ -274,7 +300,7 @@ std::vector<double> WindowRule::speeds(std::vector<bool>& linked) {
         while (next[i] != i) i = next[i] = next[next[i]];
         return i;
     };
-    for (const Broken& window : broken_) {
+    for (const Broken& window : found) {
         for (std::size_t i = open(window.first); i <= window.last; i = open(i)) {
             speed[i] = window.velocity;
             next[i] = i + 1;

@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ref/feed/windows/velocity_course.hpp"
 #include "ref/numeric/unlimited.hpp"
+#include "ref/numeric/workers.hpp"
 
 namespace curvecore::ref {
 
@@ -53,14 +55,15 @@ double window_reach(const Machine& machine);
 ///
 /// Returns the joints in ascending order; none: the motion keeps the rule. O(n) in joints and
 /// phases, for each w.
-std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course);
+std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course,
+                                 const std::shared_ptr<Workers>& workers = {});
 
 /// Checks one part of a motion, the part whose knots exist.
 class WindowRule {
   public:
     WindowRule(const Machine& machine, const VelocityCourse& course);
 
-    std::vector<JointCap> caps();
+    std::vector<JointCap> caps(const std::shared_ptr<Workers>& workers);
 
   private:
     using Knot = VelocityCourse::Knot;
@@ -72,6 +75,8 @@ class WindowRule {
         std::size_t first, last;  // indices into the course's joints
         double velocity;          // mm/s, that they may have
     };
+
+    using Found = std::vector<Broken>;
 
     struct Jump {
         const Knot* knot;
@@ -85,14 +90,18 @@ class WindowRule {
     double most_second(const Limit& limit, double w) const;
     template <class Bound>
     double ratio(const AxisVector& size, Bound bound) const;
-    void change(const AxisVector& from, const AxisVector& to, double t, double w);
-    void second(const AxisVector& a, const AxisVector& b, const AxisVector& c, double t, double w);
-    void keep(double from, double to, double ratio);
-    void look_at_length(double w);
-    void look_at_pairs();
-    void look_at_pair(const Jump& first, const Jump& last, Places& places);
-    void look_at_jumps();
-    std::vector<double> speeds(std::vector<bool>& linked);
+    void change(const AxisVector& from, const AxisVector& to, double t, double w,
+                Found& found) const;
+    void second(const AxisVector& a, const AxisVector& b, const AxisVector& c, double t, double w,
+                Found& found) const;
+    void keep(double from, double to, double ratio, Found& found) const;
+    void look_at_length(double w, Found& found) const;
+    std::vector<Jump> large_jumps() const;
+    void look_at_pairs(const std::vector<Jump>& large, std::size_t first, std::size_t end,
+                       Found& found) const;
+    void look_at_pair(const Jump& first, const Jump& last, Places& places, Found& found) const;
+    void look_at_jumps(Found& found) const;
+    std::vector<double> speeds(Found& found, std::vector<bool>& linked) const;
 
     const VelocityCourse& course_;
     double joint_time_;
@@ -100,7 +109,6 @@ class WindowRule {
     double fine_ = 0;
     std::vector<Limit> limits_;
     Limit weakest_{kUnlimited, kUnlimited, -1};
-    std::vector<Broken> broken_;
 };
 
 }  // namespace curvecore::ref

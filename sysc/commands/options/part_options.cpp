@@ -11,6 +11,7 @@ namespace curvecore::sysc {
 namespace {
 
 constexpr double kArcTolerance = 1e-3;  // mm
+constexpr int kMostThreads = 64;
 constexpr std::array<std::string_view, 2> kPathNames{"program", "exact"};
 constexpr std::array<std::string_view, 2> kInterpreterNames{"curvecore", "linuxcnc"};
 
@@ -202,6 +203,10 @@ void add_planning(CLI::App& command, PartOptions& part) {
         command, "--from", part.options.from_mm, "LENGTH",
         "draws the rest of the path, from there on along it, with the outputs as they are there",
         in_range(length, 0, kGreatest))
+        ->group(group::kRare);
+    add_value(command, "--threads", part.options.threads, "N",
+              "that plan; what they make is the same for any number", whole_in(1, kMostThreads))
+        ->default_val("2")
         ->group(group::kRare);
     add_value(command, "--path", part.options.exact_path, "NAME",
               "program: within the tolerance that G64 allows; exact", one_of<bool>(kPathNames))

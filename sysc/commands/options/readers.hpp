@@ -47,6 +47,17 @@ double unit_of(const std::string& option, const std::string& text);
 Build build_of(const std::string& option, const std::string& text);
 std::uint64_t whole(const std::string& option, const std::string& text);
 
+/// Reads a whole number from `low` to `high`.
+inline auto whole_in(int low, int high) {
+    return [=](const std::string& option, const std::string& text) {
+        const std::uint64_t number = whole(option, text);
+        if (number >= std::uint64_t(low) && number <= std::uint64_t(high)) {
+            return static_cast<int>(number);
+        }
+        throw UsageError(fmt::format("{} must be a whole number in [{}, {}]", option, low, high));
+    };
+}
+
 /// Reads a power of two from `low` to `high`.
 inline auto power_of_two_in(int low, int high) {
     return [=](const std::string& option, const std::string& text) {

@@ -36,7 +36,7 @@ TEST(KnownCuts, AreThoseOfTheCubicAndOfTheAuxiliaryAxes) {
     for (int round = 0; round < 2; ++round) {
         for (const ref::Cubic& asked : {cubic, other}) {
             for (const ref::Aux& aux : {ref::Aux{}, ref::Aux{0.5}}) {
-                expect_same(known.of(asked, kFormat, kLimit, aux, kMost),
+                expect_same(*known.of(asked, kFormat, kLimit, aux, kMost),
                             ref::cut_spline(asked, kFormat, kLimit, aux, kMost));
             }
         }
@@ -49,11 +49,11 @@ TEST(KnownCuts, AreKeptForOneCoreAndLimit) {
     ref::CoreParameters narrow = kFormat;
     narrow.coef_bits = 32;
     ref::KnownCuts known;
-    const ref::Segment* kept = known.of(cubic, kFormat, kLimit, {}, kMost).pieces.data();
-    EXPECT_EQ(known.of(cubic, kFormat, kLimit, {}, kMost).pieces.data(), kept);
+    const ref::SharedCut kept = known.of(cubic, kFormat, kLimit, {}, kMost);
+    EXPECT_EQ(known.of(cubic, kFormat, kLimit, {}, kMost), kept);
     for (const double limit : {kLimit, 2 * kLimit}) {
         for (const ref::CoreParameters& format : {kFormat, narrow}) {
-            expect_same(known.of(cubic, format, limit, {}, kMost),
+            expect_same(*known.of(cubic, format, limit, {}, kMost),
                         ref::cut_spline(cubic, format, limit, {}, kMost));
         }
     }
@@ -65,18 +65,18 @@ TEST(KnownCuts, ForgetsWhatWasAskedLongAgo) {
     ref::KnownCuts known;
     const auto cut = [&](int i) {
         line.d.x() = i;
-        return known.of(line, kFormat, kLimit, {}, kMost).pieces.data();
+        return known.of(line, kFormat, kLimit, {}, kMost);
     };
-    const ref::Segment* last = cut(0);
-    const ref::Segment* mine = cut(-1);
-    for (int i = 1; i < 20000; ++i) {
+    ref::SharedCut last = cut(0);
+    const ref::SharedCut mine = cut(-1);
+    for (int i = 1; i < 40000; ++i) {
         last = cut(i);
-        if (i % 4000 == 0) {
+        if (i % 8000 == 0) {
             EXPECT_EQ(cut(-1), mine);
         }
     }
-    EXPECT_EQ(cut(19999), last);
-    EXPECT_LE(known.size(), 8192U);
+    EXPECT_EQ(cut(39999), last);
+    EXPECT_LE(known.size(), 16384U);
 }
 
 }  // namespace
