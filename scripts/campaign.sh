@@ -105,7 +105,8 @@ run_tests() {
     awk 'FILENAME == ARGV[1] {if (/ Passed |\*\*\*Skipped /) done[$4]; next}
       !($1 in done) {printf ",%d", FNR}' "$log" <(echo "$asked")
   }
-  [ -z "$(left)" ] || ctest --preset "$preset" "$@" -I "0,0,0$(left)" 2>&1 | tee -a "$log"
+  [ -z "$(left)" ] || ctest --preset "$preset" --timeout 20000 "$@" -I "0,0,0$(left)" 2>&1 |
+    tee -a "$log"
   [ -z "$(left)" ]
   echo "$(wc -l <<<"$asked") tests, none failed" | result
 }

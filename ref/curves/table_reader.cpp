@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "ref/curves/line_reader.hpp"
+#include "ref/curves/table_check.hpp"
 #include "ref/text/text_file.hpp"
 
 namespace curvecore::ref {
@@ -56,6 +57,8 @@ class Reader {
             if (!row(name).series) Place{table_.file, line}.refuse(name + " has no orders");
         }
         place_in_step(place);
+        check_places(table_);
+        check_orders(table_);
         int words = 0;  // further ones that have a row
         for (const auto& [field, row] : table_.bus) {
             if (bus_place(field).further()) words += table_.rows.at(row).of_axis ? 3 : 1;
@@ -93,6 +96,7 @@ class Reader {
         };
         if (key == "curve") {
             pairs(1);
+            if (!table_.name.empty()) place.refuse("a table has one `curve`");
             table_.name = items[0];
             const bool named = std::isalpha(static_cast<unsigned char>(items[0][0])) != 0 &&
                                std::all_of(items[0].begin(), items[0].end(), [](unsigned char c) {
@@ -129,6 +133,7 @@ class Reader {
             }
         } else if (key == "output") {
             pairs(1);
+            if (!table_.output.empty()) place.refuse("a table has one `output`");
             table_.output = items[0];
         } else if (key == "polished") {
             pairs(1);
@@ -241,6 +246,12 @@ class Reader {
             }
         }
         if (line.function != TableLine::Function::kTerms) {
+            if (section_ != "next" && section_ != "sample") {
+                place.refuse("the orders are whole in `next` and `sample` alone");
+            }
+            if (line.series.primes > 0 || line.series.order) {
+                place.refuse("a function takes all orders of its row");
+            }
             reads(line.series, line, place);
             if (!known(line.series.row, place).series) {
                 place.refuse(line.series.row + " is no series");
@@ -252,6 +263,18 @@ class Reader {
         if (line.function != TableLine::Function::kTerms &&
             line.function != TableLine::Function::kSum && !line.terms.empty()) {
             place.refuse("a polynomial takes no other term");
+        }
+        if (line.adds_axes && line.of_axis) {
+            place.refuse("+= adds the axes to a row that has none");
+        }
+        if (line.order && section_ != "anchor") {
+            place.refuse("an order is named in `anchor` alone");
+        }
+        for (const TableLine& other : table_.section("order")) {
+            if (section_ == "order" && other.row == line.row) {
+                place.refuse("line " + std::to_string(other.number) + " makes the orders of " +
+                             line.row + " already");
+            }
         }
         if (line.order.value_or(0) > kMostOrder) {
             place.refuse("an order above " + std::to_string(kMostOrder));

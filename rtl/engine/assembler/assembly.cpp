@@ -247,14 +247,18 @@ void Assembly::close_axes() {
 }
 
 void Assembly::call_for_axes(const std::string& subroutine) {
+    for_axes([&] { call(subroutine); });
+    of_axes_.insert(subroutine);
+}
+
+void Assembly::for_axes(const std::function<void()>& put_one) {
     for (int axis = 0; axis < kAxes; ++axis) {
         for (int page = 0; page < size_.axis_pages; ++page) {
             set_page(page == 0 ? engine::kPortX : engine::kPortY,
                      page_of(axis, page * engine::kPageWords), page == 0 ? "X" : "Y");
         }
-        call(subroutine);
+        put_one();
     }
-    of_axes_.insert(subroutine);
     size_.axis_pages > 1 ? open_further() : close_axes();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -118,6 +119,9 @@ class Assembly {
     void copy(const Field& to, const Field& from) { put(engine::Op::kMull, to, from, power(0)); }
     void branch(const std::string& to, int condition = engine::kNot | engine::kNever);
     void call_for_axes(const std::string& subroutine);
+    /// Puts what `put_one` puts three times, with the words of an axis: for subroutines, whose link
+    /// a call would take.
+    void for_axes(const std::function<void()>& put_one);
     /// Makes page X that of the auxiliary axes.
     void open_auxiliary(int page = 0);
     /// Opens the words for which those without a page did not suffice: page Y, and with more than

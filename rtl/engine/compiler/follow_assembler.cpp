@@ -52,7 +52,6 @@ class WordsBehindAxes {
         }
         fetch_further();
         assembly_.give_back();
-        write_further();
     }
 
   private:
@@ -85,25 +84,18 @@ class WordsBehindAxes {
         assembly_.put(Op::kMulr, to, to, assembly_.power(bits), true);
     }
 
-    /// Further words, one after the other: of a row of three axes by a subroutine.
+    /// Further words, one after the other.
     void fetch_further() {
+        constexpr int kBits = hls::kCoefField.bits;
         for (const auto& [number, row] : further_) {
+            const std::string& place = row.place;
             if (row.of_axis) {
-                assembly_.from({"", 0, row.place});
-                assembly_.call_for_axes("fetch " + row.place);
+                assembly_.from({"", 0, place});
+                assembly_.for_axes(
+                    [&] { fetch(assembly_.axis_word(place + "[k]"), kBits, place); });
             } else {
-                fetch(assembly_.word(row.place), hls::kCoefField.bits, row.place);
+                fetch(assembly_.word(place), kBits, place);
             }
-        }
-    }
-    void write_further() {
-        for (const auto& [number, row] : further_) {
-            if (!row.of_axis) {
-                continue;
-            }
-            assembly_.label("fetch " + row.place);
-            fetch(assembly_.axis_word(row.place + "[k]"), hls::kCoefField.bits, row.place);
-            assembly_.give_back();
         }
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
@@ -30,8 +31,8 @@ class TableFamilies {
     TableFamilies(const std::string& folder, std::uint64_t seed) : folder_(folder), random_(seed) {}
 
     static const std::vector<std::string>& names() {
-        static const std::vector<std::string> kNames{"archimedean", "catenary", "clothoid",
-                                                     "ellipse",     "involute", "spiral"};
+        static const std::vector<std::string> kNames{
+            "archimedean", "catenary", "clothoid", "ellipse", "involute", "quintic", "spiral"};
         return kNames;
     }
     /// The table, which is kept.
@@ -53,6 +54,7 @@ class TableFamilies {
                          : name == "clothoid"  ? clothoid()
                          : name == "ellipse"   ? ellipse()
                          : name == "involute"  ? involute()
+                         : name == "quintic"   ? quintic()
                                                : spiral();
         made.piece.table = table(name).get();
         return made;
@@ -192,6 +194,36 @@ class TableFamilies {
         return with(
             made, path(p1), [=](double s) { return inverted(path, s, p0, p1 + 1); },
             [=](double p) { return Pair(a * std::cos(p), b * std::sin(p)); });
+    }
+    TableCase quintic() {
+        const double size = this->size();
+        std::array<Vec3, 5> v{e1_, {}, {}, {}, {}};  // of dr/du, by powers of u
+        for (int n = 1; n <= 4; ++n) {
+            v[n] = 0.4 / n * Vec3(real(-1, 1), real(-1, 1), real(-1, 1)) / std::pow(size, n);
+        }
+        const auto slope = [v](double u) {
+            return Vec3(v[0] + u * (v[1] + u * (v[2] + u * (v[3] + u * v[4]))));
+        };
+        const double u1 = size * real(0.3, 1);
+        const auto path = [slope](double u) {
+            return integral([&](double at) { return slope(at).norm(); }, 0, u);
+        };
+        TableCase made;
+        made.piece.tangent = v[0];
+        made.piece.normal = v[1];
+        made.piece.advance = 2 * v[2];
+        for (int axis = 0; axis < 3; ++axis) {
+            made.piece.further[axis] = 6 * v[3][axis];
+            made.piece.further[3 + axis] = 24 * v[4][axis];
+        }
+        made.piece.further[6] = 1;
+        made.length = path(u1);
+        made.at = [=, origin = origin_](double s) {
+            const double u = inverted(path, s, 0, u1 + size);
+            return Vec3(origin + u * (v[0] + u * (v[1] / 2 +
+                                                  u * (v[2] / 3 + u * (v[3] / 4 + u * v[4] / 5)))));
+        };
+        return made;
     }
 
     std::string folder_;

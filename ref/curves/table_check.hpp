@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of a table's lines together; table_reader.hpp reads each.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ref/curves/curve_table.hpp"
+#include "ref/curves/order_demand.hpp"
+#include "ref/text/place.hpp"
+
+namespace curvecore::ref {
+
+/// Checks the rows that place a step or a sample: each is made in its section, of each axis, in
+/// words of one fraction.
+/// @throws InputError
+inline void check_places(const CurveTable& table) {
+    constexpr int kFraction = -2;
+    const std::map<std::string, std::string> sections{
+        {"place", "anchor"}, {"move", "next"}, {"d", "sample"}};
+    for (const auto& [section, lines] : table.sections) {
+        for (const TableLine& line : lines) {
+            const auto of = sections.find(line.row);
+            if (of == sections.end()) continue;
+            const Place place{table.file, line.number};
+            if (of->second != section) {
+                place.refuse(line.row + " is made in `" + of->second + "`");
+            }
+            if (!line.of_axis) place.refuse(line.row + " is a row of each axis");
+        }
+    }
+    for (const auto& [name, section] : sections) {
+        const auto made = table.rows.find(name);
+        if (made == table.rows.end() || made->second.fraction == kFraction) continue;
+        const bool output = name == "d" && table.section("sample").empty();
+        const std::string& of = output ? table.output : name;
+        Place{table.file, table.rows.at(of).line}.refuse(
+            of + " is a place in the step: its fraction is -2");
+    }
+}
+
+/// Checks that no line of `order` reads an order that is made there, or further down.
+/// @throws InputError
+inline void check_orders(const CurveTable& table) {
+    const std::vector<TableLine>& lines = table.section("order");
+    const auto rate = [&](const RowOperand& of) {
+        return !of.row.empty() && table.rows.at(of.row).rate(of.row);
+    };
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+        const auto early = [&](const RowOperand& read) {
+            if (read.row.empty()) return false;
+            const RowOperand of = same_row(table, read);
+            const auto makes = [&](const TableLine& other) { return other.row == of.row; };
+            return of.primes == 0 && !of.order && std::any_of(line, lines.end(), makes);
+        };
+        for (const TableTerm& term : line->terms) {
+            if (term.meeting == TableTerm::Meeting::kConstant) continue;
+            // A series that meets a rate, or one of earlier orders, is read up to those before.
+            const bool meets = meet_as_series(table, term);
+            const auto whole = [&](const RowOperand& read, const RowOperand& other) {
+                return !meets || rate(read) || (!rate(other) && same_row(table, other).primes == 0);
+            };
+            const bool a = early(term.a) && whole(term.a, term.b);
+            if (!a && !(early(term.b) && whole(term.b, term.a))) continue;
+            Place{table.file, line->number}.refuse((a ? term.a.row : term.b.row) +
+                                                   " has this order from here or further down");
+        }
+    }
+}
+
+}  // namespace curvecore::ref
