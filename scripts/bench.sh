@@ -27,7 +27,7 @@ for bench in kernel spline; do
     --benchmark_report_aggregates_only=true \
     --benchmark_out="build/bench/$bench.json" --benchmark_out_format=json
 done
-build/release/tb/bench/planner_speed
+build/release/tb/bench/planner_speed -o build/figures/planner.json
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
   --confirm -q -o build/figures/choose/up5k
 for part in arcs demo; do
@@ -40,4 +40,4 @@ for part in arcs demo; do
 done
 python3 scripts/system_rates.py
 python3 scripts/bench_rows.py
-scripts/results.py choose_up5k throughput system_rates
+scripts/results.py choose_up5k throughput system_rates planner_effort planner_threads

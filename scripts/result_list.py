@@ -112,6 +112,10 @@ TABLES = {
     "cam_surfaces": bench("Cams: surfaces", "cam_tables", "cam_surfaces",
                           "A sample cam in closed form, 100 mm long, with radii of 30 to 54 mm."),
     "cam_input": bench("Cams: input", "cam_tables", "cam_input"),
+    "planner_effort": Table("What planning costs", functools.partial(
+        bench_table, "planner", "planner_effort"), BENCH),
+    "planner_threads": Table("Planning by several threads", functools.partial(
+        bench_table, "planner", "planner_threads"), BENCH),
     "holds": bench("Longest holds", "hold_tables", "holds"),
     "oracle": Table(
         "Cycle times over the shortest possible", oracle, "scripts/oracle.sh",

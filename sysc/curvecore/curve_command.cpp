@@ -4,52 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "ref/bound/table_bound.hpp"
-#include "ref/curve/drawn/table_curve.hpp"
-#include "ref/curves/derive_table.hpp"
 #include "ref/curves/order_demand.hpp"
-#include "ref/curves/row_powers.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
-#include "sysc/commands/options/part_options.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/run_job.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/curvecore/asked_curve.hpp"
 #include "sysc/curvecore/commands.hpp"
-#include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
 namespace {
-
-enum class CurveAction { kCheck, kRun, kDerive };
-constexpr std::array<std::string_view, 3> kCurveActions{"check", "run", "derive"};
-
-/// A row's values of a segment, of X Y Z where it has axes.
-struct RowValues {
-    std::string row;
-    std::vector<double> values;
-};
-
-struct CurveOptions {
-    CurveAction action = CurveAction::kCheck;
-    PartOptions part;
-    std::vector<RowValues> rows;
-    int step_exponent = 20;
-    int down = 0;
-    int steps = 1;
-    double feed = 1000.0 / 60;           // mm/s
-    double length = 0;                   // mm, of what is drawn
-    std::vector<double> start{0, 0, 0};  // mm
-    ref::CurveFormula formula;           // mm; without coordinates: there is none
-    std::string x, y, z;
-    std::vector<RowValues> constants;
-};
 
 RowValues row_values(const std::string& option, const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -57,36 +28,6 @@ RowValues row_values(const std::string& option, const std::string& text) {
         throw UsageError(fmt::format("{} '{}': expected ROW=VALUE or ROW=X,Y,Z", option, text));
     }
     return {text.substr(0, equals), list_of(plain_number)(option, text.substr(equals + 1))};
-}
-
-/// The rows that are asked for, by their places on the bus: all that the table takes.
-/// @throws UsageError: a row that the bus has not, twice or without its values
-std::map<std::string, std::array<double, 3>> rows_of(const ref::CurveTable& table,
-                                                     const CurveOptions& asked) {
-    std::map<std::string, std::array<double, 3>> values;
-    std::vector<std::string> names;
-    for (const auto& [field, row] : table.bus) names.push_back(row);
-    for (const RowValues& of : asked.rows) {
-        if (values.count(of.row) != 0) {
-            throw UsageError(fmt::format("--row {}: it has two values", of.row));
-        }
-        if (std::find(names.begin(), names.end(), of.row) == names.end()) {
-            throw UsageError(
-                fmt::format("--row {}: {} takes {}", of.row, table.name, fmt::join(names, ", ")));
-        }
-        const std::size_t count = table.rows.at(of.row).of_axis ? 3 : 1;
-        if (of.values.size() != count) {
-            throw UsageError(fmt::format("--row {}: expected {} values, not {}", of.row, count,
-                                         of.values.size()));
-        }
-        std::copy(of.values.begin(), of.values.end(), values[of.row].begin());
-    }
-    for (const std::string& row : names) {
-        if (values.count(row) == 0) {
-            throw UsageError(fmt::format("--row {}=..: {} needs its value", row, table.name));
-        }
-    }
-    return values;
 }
 
 /// Memory and clocks of the engine for the curve alone.
@@ -137,6 +78,7 @@ void check_core(const CoreParameters& core) {
 }
 
 int check(CurveOptions& asked) {
+    if (asked.has_formulas()) throw UsageError("--x --y --z: of run and derive");
     const ref::CurveTable table = ref::read_curve_table(asked.part.options.file);
     const CoreParameters& core = asked.part.complete().core;
     check_core(core);
@@ -176,90 +118,6 @@ int check(CurveOptions& asked) {
         "2^{} units\n",
         bound.worst(), asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
     return 0;
-}
-
-/// A table with the rows of a curve's start, and how long it is, mm.
-struct NamedCurve {
-    std::shared_ptr<const ref::CurveTable> table;
-    std::map<std::string, std::array<double, 3>> rows;
-    double length = 0;
-    ref::Vec3 start;
-    std::string text;  // of a table that is derived
-};
-
-/// Derives the table of the formulas that are asked for. @throws UsageError
-NamedCurve derived(const CurveOptions& asked) {
-    ref::CurveFormula formula = asked.formula;
-    formula.name = std::filesystem::path(asked.part.options.file).stem();
-    const bool named = !formula.name.empty() && std::isalpha(formula.name[0]) != 0 &&
-                       std::all_of(formula.name.begin(), formula.name.end(), [](unsigned char c) {
-                           return std::isalnum(c) != 0 || c == '_';
-                       });
-    if (!named)
-        throw UsageError(fmt::format("FILE '{}': the name of a curve is letters and digits",
-                                     asked.part.options.file));
-    if (asked.x.empty() || asked.y.empty()) {
-        throw UsageError("--x and --y: the formulas of a curve, and --z in space");
-    }
-    for (const RowValues& constant : asked.constants) {
-        if (constant.values.size() != 1) {
-            throw UsageError(fmt::format("--let {}: expected one number", constant.row));
-        }
-        formula.constants[constant.row] = constant.values[0];
-    }
-    formula.coordinates = {asked.x, asked.y};
-    if (!asked.z.empty()) formula.coordinates.push_back(asked.z);
-    try {
-        const ref::DerivedTable made = ref::derive_table(formula);
-        auto table = std::make_shared<ref::CurveTable>(
-            ref::read_curve_text(formula.name + ".net", made.text));
-        check_table_name(*table);
-        table->powers = ref::row_powers(*table);
-        return {table, made.rows, made.length,
-                ref::Vec3(made.start[0], made.start[1], made.start[2]), made.text};
-    } catch (const ref::FormulaError& error) {
-        throw UsageError(error.what());
-    }
-}
-
-/// The curve that is asked for: of formulas, or of a table with its rows. @throws UsageError
-NamedCurve named_curve(const CurveOptions& asked) {
-    if (!asked.x.empty() || !asked.y.empty() || !asked.z.empty()) {
-        if (!asked.rows.empty() || asked.length > 0) {
-            throw UsageError("--x --y: the formulas say the rows and the length");
-        }
-        return derived(asked);
-    }
-    if (asked.start.size() != 3) throw UsageError("--start: expected X,Y,Z");
-    if (!(asked.length > 0)) throw UsageError("--length: the length of the curve, as 40mm");
-    NamedCurve curve;
-    curve.table = named_table(asked.part.options.file);
-    curve.rows = rows_of(*curve.table, asked);
-    curve.length = asked.length;
-    curve.start = ref::Vec3(asked.start[0], asked.start[1], asked.start[2]);
-    return curve;
-}
-
-/// The curve as a move. @throws UsageError: its series do not converge
-ref::Move move_along(const NamedCurve& curve) {
-    ref::Move move;
-    move.kind = ref::Move::Kind::kTable;
-    move.start = curve.start;
-    move.table.table = curve.table.get();
-    for (const auto& [place, row] : curve.table->bus) {
-        const std::size_t axes = curve.table->rows.at(row).of_axis ? 3 : 1;
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-            move.table.at(place, static_cast<int>(axis)) = curve.rows.at(row)[axis];
-        }
-    }
-    move.table_length = move.to = curve.length;
-    try {
-        move.end =
-            ref::TableCurve(move.table, move.start, move.table_length).position(move.table_length);
-    } catch (const std::domain_error& error) {
-        throw UsageError(fmt::format("{}: {}", curve.table->file, error.what()));
-    }
-    return move;
 }
 
 /// Draws the curve as a program of one move.

@@ -163,6 +163,15 @@ TEST_F(CurveCommand, SaysWhatIsNoFormula) {
     EXPECT_EQ(of({"--x", "t", "--y", "t^2", "--length", "4mm", "--row", "T=1"}),
               "curvecore: error: --x --y: the formulas say the rows and the length\n");
     EXPECT_EQ(of({"--x", "t^2", "--y", "t^3"}).substr(0, 30), "curvecore: error: near t = 0 t");
+    EXPECT_EQ(refusal({"curve", "derive", "f.net", "--t", "0,1", "--x", "t", "--y", "t^2", "--row",
+                       "T=1"}),
+              "curvecore: error: --x --y: the formulas say the rows and the length\n");
+    EXPECT_EQ(refusal({"curve", "check", "c.net", "--x", "t", "--y", "t^2"}),
+              "curvecore: error: --x --y --z: of run and derive\n");
+    EXPECT_EQ(
+        refusal({"curve", "derive", "c.net", "--t", "0,1", "--x", "t", "--y", "t^2"}),
+        "curvecore: error: FILE 'c.net': it is there, and not of these formulas: take another "
+        "name\n");
     EXPECT_EQ(refusal({"curve", "run", "f.net", "--x", "t", "--y", "t^2", "--t", "1,0"}),
               "curvecore: error: --t: expected FROM,TO, from less to more\n");
 }
