@@ -8,8 +8,8 @@ namespace curvecore::ref {
 namespace {
 
 // Cuts kept: those of a window of moves (PlanOptions) and of what is checked behind it.
-constexpr std::size_t kRecent = 8192;
-constexpr std::size_t kRecentPieces = 16384;  // of them all: some megabytes
+constexpr std::size_t kRecent = 5120;
+constexpr std::size_t kRecentPieces = 10240;  // of them all: some megabytes
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `curvecore curve` is asked for: a table and the rows of a curve, or formulas.
+// Options of `curvecore curve`, and the curve that they ask for: by a table and its rows, or by
+// formulas.
 #pragma once
 
 #include <array>

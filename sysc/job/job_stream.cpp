@@ -28,8 +28,8 @@ int aux_axes_of(const ref::Move& move) {
 }
 
 constexpr double kLivePart = 0.5;  // s, least time of a part of a move
-/// Moves that another thread reads ahead: those of a window that is planned at once, and more.
-constexpr std::size_t kAhead = 4000;
+/// Moves that another thread reads ahead: with those of a window fewer than KnownCuts keeps.
+constexpr std::size_t kAhead = 2000;
 
 bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
 

@@ -89,7 +89,7 @@ curvecore::tb::Cells row(std::size_t moves, const char* name, Effort effort) {
             std::to_string(use.ru_maxrss / 1024)};
 }
 
-/// The time, by the clock on the wall, with so many threads, and how many times less it is than with
+/// The time, by the clock on the wall, with so many threads, and how many times less it is than by
 /// one.
 curvecore::tb::Cells threads_row(std::size_t moves, int threads, double& one) {
     using Clock = std::chrono::steady_clock;

@@ -48,9 +48,9 @@ TEST_P(Memory, DoesNotGrowWithTheProgram) {
 
 /// A print has many pieces a line; a move alone has half a kilobyte.
 TEST_P(Memory, DoesNotGrowWithAPrint) {
-    constexpr int kShort = 7500;
-    constexpr int kLong = 30000;
-    constexpr double kBytes = 160;  // a line: 20 to 131 are taken; `plan` with all pieces took 244
+    constexpr int kShort = 10000;
+    constexpr int kLong = 40000;
+    constexpr double kBytes = 160;  // a line: 20 to 142 are taken; `plan` with all pieces took 244
     const std::vector<std::string> fast{"--sample-period", "1ms"};
     const long before = peak_kib("print.gcode", print(kShort), fast);
     const long after = peak_kib("print.gcode", print(kLong), fast);
