@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The long form of what the tests do in short, in parts. A part that ended well on this tree is not
-# run again, nor a test of a part, so a campaign that was stopped goes on. Four hours or so;
-# build/campaign has each part's log and, once it held, its results.
+# run again, nor a test that ctest runs for a part and that passed on this commit, so a campaign
+# that was stopped goes on. Four hours or so; build/campaign has each part's log and, once it held,
+# its results.
 #
 #   scripts/campaign.sh [--samples N] [PART ...]    all parts, or these; N: 1000000000 when left out
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
@@ -34,7 +35,7 @@ list=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      sed -n '3,28s/^# \{0,1\}//p' "$0"
+      sed -n '3,29s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     --list) list=true ;;
@@ -93,21 +94,26 @@ targets() { cmake --build --preset release --target help | sed -nE "s/^($1): pho
 # What a part pipes into `result` is its outcome; a part that found nothing to say has failed.
 result() { grep . >>"$out/$part.results"; }
 
-# Runs tests, as a preset and ctest's options say which. Those that have passed on this tree in a
+# Runs tests, as a preset and ctest's options say which. Those that have passed on this commit in a
 # run before this one are not run again.
 run_tests() {
-  local preset=$1 log=$out/$part-$tree.run asked
+  local preset=$1 log=$out/$part-$(git log -1 --format=%h).run asked rest
   shift
   [[ $tree != *-changed ]] || rm -f "$log"
   touch "$log"
   asked=$(ctest --preset "$preset" -N "$@" | sed -nE 's/^ *Test +#[0-9]+: +//p')
   left() {  # ctest's -I counts among the tests that its other options choose
-    awk 'FILENAME == ARGV[1] {if (/ Passed |\*\*\*Skipped /) done[$4]; next}
+    awk 'FILENAME == ARGV[1] {
+        if (/^ *[0-9]+\/[0-9]+ +Test .*( Passed |\*\*\*Skipped )/) done[$4]
+        next
+      }
       !($1 in done) {printf ",%d", FNR}' "$log" <(echo "$asked")
   }
-  [ -z "$(left)" ] || ctest --preset "$preset" --timeout 20000 "$@" -I "0,0,0$(left)" 2>&1 |
+  rest=$(left)
+  [ -z "$rest" ] || ctest --preset "$preset" --timeout 20000 "$@" -I "0,0,0$rest" 2>&1 |
     tee -a "$log"
-  [ -z "$(left)" ]
+  rest=$(left)
+  [ -z "$rest" ]
   echo "$(wc -l <<<"$asked") tests, none failed" | result
 }
 

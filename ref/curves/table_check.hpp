@@ -33,7 +33,12 @@ inline void check_places(const CurveTable& table) {
     }
     for (const auto& [name, section] : sections) {
         const auto made = table.rows.find(name);
-        if (made == table.rows.end() || made->second.fraction == kFraction) continue;
+        if (made == table.rows.end()) continue;
+        const CurveRow& row = made->second;
+        if (row.word || row.start || row.value || row.same_as) {
+            Place{table.file, std::max(row.line, 1)}.refuse(name + " is made in `" + section + "`");
+        }
+        if (row.fraction == kFraction) continue;
         const bool output = name == "d" && table.section("sample").empty();
         const std::string& of = output ? table.output : name;
         Place{table.file, table.rows.at(of).line}.refuse(

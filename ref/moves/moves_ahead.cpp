@@ -24,10 +24,15 @@ MovesAhead::Read MovesAhead::read() {
         read.ends = true;
         read.error = std::current_exception();
     }
-    const Events& events = read_events_();
-    for (; events_read_ < events.list().size(); ++events_read_) {
-        const Events::Event& event = events.list()[events_read_];
-        read.events.emplace_back(events.code_of(event), event);
+    try {
+        const Events& events = read_events_();
+        for (; events_read_ < events.list().size(); ++events_read_) {
+            const Events::Event& event = events.list()[events_read_];
+            read.events.emplace_back(events.code_of(event), event);
+        }
+    } catch (...) {
+        read.ends = true;
+        if (!read.error) read.error = std::current_exception();
     }
     return read;
 }
@@ -46,8 +51,8 @@ void MovesAhead::read_one(std::unique_lock<std::mutex>& lock) {
 
 void MovesAhead::read_ahead() {
     std::unique_lock lock(mutex_);
-    asked_ = false;
     changed_.wait(lock, [this] { return !reading_; });
+    asked_ = false;  // from here on the lock is held wherever nobody reads
     while (!stop_ && !all_read_ && waiting_.size() < most_) read_one(lock);
     changed_.notify_all();
 }
@@ -55,7 +60,8 @@ void MovesAhead::read_ahead() {
 bool MovesAhead::next(Move& move) {
     if (ended_) return false;
     std::unique_lock lock(mutex_);
-    if (!asked_ && !reading_ && !all_read_ && 2 * waiting_.size() <= most_) {
+    const bool few = 2 * waiting_.size() <= most_ && workers_->threads() > 1;
+    if (few && !asked_ && !reading_ && !all_read_) {
         asked_ = true;
         workers_->begin([this] { read_ahead(); });
     }

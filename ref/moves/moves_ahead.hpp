@@ -35,7 +35,7 @@ class MovesAhead {
     /// Gives the next move; returns false if there is none. @throws what the source throws
     bool next(Move& move);
 
-    /// The events that were read when the last move was given was read, or more.
+    /// The events that had been read once the last given move was read.
     const Events& events() const { return events_; }
 
   private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 namespace curvecore::ref {
@@ -50,8 +51,11 @@ class SharedWork {
 }  // namespace
 
 Workers::Workers(int threads) {
-    while (static_cast<int>(threads_.size()) < threads - 1) {
-        threads_.emplace_back([this] { run(); });
+    try {
+        while (static_cast<int>(threads_.size()) < threads - 1) {
+            threads_.emplace_back([this] { run(); });
+        }
+    } catch (const std::system_error&) {  // no more are to be had: what they make is the same
     }
 }
 

@@ -16,7 +16,7 @@ namespace curvecore::ref {
 
 class Workers {
   public:
-    /// @param threads with the caller's own
+    /// @param threads with the caller's own; fewer where the system has no more
     explicit Workers(int threads);
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;

@@ -56,8 +56,7 @@ void KnownCuts::keep(const Key& key, const SharedCut& cut) {
         recent_.clear();
         recent_pieces_ = 0;
     }
-    recent_pieces_ += cut->pieces.size();
-    recent_.emplace(key, cut);
+    if (recent_.emplace(key, cut).second) recent_pieces_ += cut->pieces.size();
 }
 
 SharedCut KnownCuts::of(const Cubic& cubic, const CoreParameters& format, double limit,

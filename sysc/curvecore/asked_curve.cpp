@@ -10,22 +10,9 @@
 #include "ref/curve/drawn/table_curve.hpp"
 #include "ref/curves/row_powers.hpp"
 #include "ref/curves/table_reader.hpp"
-#include "ref/text/text_file.hpp"
 #include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
-namespace {
-
-/// Checks that there is no other table of this name. @throws UsageError
-void check_new(const std::string& file, const std::string& text) {
-    if (std::filesystem::is_regular_file(file) && ref::read_text_file(file) != text) {
-        throw UsageError(fmt::format(
-            "FILE '{}': it is there, and not of these formulas: take another name", file));
-    }
-}
-
-}  // namespace
-
 std::map<std::string, std::array<double, 3>> rows_of(const ref::CurveTable& table,
                                                      const CurveOptions& asked) {
     std::map<std::string, std::array<double, 3>> values;
@@ -80,7 +67,6 @@ NamedCurve derived(const CurveOptions& asked) {
     if (!asked.z.empty()) formula.coordinates.push_back(asked.z);
     try {
         const ref::DerivedTable made = ref::derive_table(formula);
-        check_new(asked.part.options.file, made.text);
         auto table = std::make_shared<ref::CurveTable>(
             ref::read_curve_text(formula.name + ".net", made.text));
         check_table_name(*table);

@@ -11,6 +11,7 @@
 #include "ref/bound/table_bound.hpp"
 #include "ref/curves/order_demand.hpp"
 #include "ref/curves/table_reader.hpp"
+#include "ref/text/text_file.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
 #include "sysc/commands/options/typed_option.hpp"
@@ -151,6 +152,12 @@ int derive(CurveOptions& asked) {
     const std::string& file = asked.part.options.file;
     if (std::filesystem::path(file).extension() != ".net") {
         throw UsageError(fmt::format("FILE '{}': a table is NAME.net", file));
+    }
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(file, unknown) &&
+        ref::read_text_file(file) != curve.text) {
+        throw UsageError(fmt::format(
+            "FILE '{}': it is there, and not of these formulas: take another name", file));
     }
     std::ofstream out(file);
     out << curve.text;

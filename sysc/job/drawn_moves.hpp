@@ -33,7 +33,7 @@ class DrawnMoves {
     const ref::Replaced& replaced() const { return replaced_; }
     /// Deviations of the moves that were given, on any path.
     const ref::Smoothed& off() const { return off_; }
-    /// Cuts that were checked: for the plan of these moves, in the same thread.
+    /// Cuts that were checked: for the plan of these moves.
     const std::shared_ptr<ref::KnownCuts>& cuts() const { return plan_options_.cuts; }
 
   private:

@@ -28,7 +28,7 @@ int aux_axes_of(const ref::Move& move) {
 }
 
 constexpr double kLivePart = 0.5;  // s, least time of a part of a move
-/// Moves that another thread reads ahead: with those of a window fewer than KnownCuts keeps.
+/// Moves that another thread reads ahead: with those of most windows fewer than KnownCuts keeps.
 constexpr std::size_t kAhead = 2000;
 
 bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
@@ -262,6 +262,7 @@ void JobStream::draw_as_programmed() {
 }
 
 void JobStream::end() {
+    ahead_.reset();  // nobody reads any more
     job_.events = moves_->program().events();
     const std::vector<std::string>& read = moves_->program().warnings();
     std::vector<std::string>& warnings = job_.program.warnings;

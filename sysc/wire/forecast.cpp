@@ -17,6 +17,7 @@ Forecast::~Forecast() {
 void Forecast::plan(Options options) {
     options.live = false;
     options.override_percent = 100;
+    options.threads = 1;  // the plan that is drawn is due, this one is not
     try {
         JobStream stream(options);
         while (const ref::Plan* part = stream.next()) {

@@ -21,10 +21,11 @@ namespace {
 
 using namespace curvecore::ref;
 
-constexpr std::size_t kRow = 500;  // chords
-constexpr double kChord = 0.2;     // mm
-constexpr double kApart = 0.5;     // mm: distance of rows
-constexpr double kFeed = 100;      // mm/s
+constexpr std::size_t kRow = 500;     // chords
+constexpr double kChord = 0.2;        // mm
+constexpr double kApart = 0.5;        // mm: distance of rows
+constexpr double kFeed = 100;         // mm/s
+constexpr std::size_t kAhead = 2000;  // moves, as sysc/job/job_stream.cpp
 
 /// Rows to and fro over y, z = f(x, y).
 class Surface {
@@ -106,7 +107,7 @@ curvecore::tb::Cells threads_row(std::size_t moves, int threads, double& one) {
     const MoveSource read = [&](Move& move) { return smooth.next(move); };
     if (threads > 1) {
         ahead.emplace(
-            read, [&]() -> const Events& { return none; }, options.workers, options.window);
+            read, [&]() -> const Events& { return none; }, options.workers, kAhead);
     }
     const Clock::time_point from = Clock::now();
     PlanStream stream([&](Move& move) { return ahead ? ahead->next(move) : read(move); },

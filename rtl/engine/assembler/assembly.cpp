@@ -186,7 +186,9 @@ void Assembly::label(const std::string& name) {
 void Assembly::label(const std::string& name, const std::string& as) {
     const auto place = labels_.find(as);
     if (place == labels_.end()) refuse("no label " + as);
-    labels_.emplace(name, place->second);
+    if (!labels_.emplace(name, place->second).second) {
+        refuse("the label " + name + " is there twice");
+    }
 }
 
 void Assembly::put(Op op, const Field& f2, const Field& f0, const Field& f1, bool flag, int limbs) {

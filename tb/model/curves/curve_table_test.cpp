@@ -68,6 +68,8 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
         {"anchor\n  place : -2 = theta", "c.net:7: error: place is a row of each axis"},
         {"anchor\n  place[k] : -1 = a[k]",
          "c.net:7: error: place is a place in the step: its fraction is -2"},
+        {"const move -2 1", "error: move is made in `next`"},
+        {"start d[3] -2\nbus advance d", "error: d is made in `sample`"},
         {"curve d", "c.net:6: error: a table has one `curve`"},
         {"output n", "c.net:6: error: a table has one `output`"},
         {"words b -2", "c.net:6: error: 'words' begins no line of a table"}};

@@ -2,15 +2,19 @@
 // Threads that plan: they share work and read ahead, and the words are those of one thread.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <random>
-#include <sstream>
 
+#include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/plan_stream.hpp"
 #include "ref/moves/moves_ahead.hpp"
 #include "ref/numeric/workers.hpp"
-#include "ref/program/gcode_stream.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/job/job_stream.hpp"
 #include "sysc/words/bus_words.hpp"
 
@@ -127,9 +131,9 @@ TEST(MovesAhead, MayBeLeftAtAnyMove) {
 std::string random_program(unsigned seed) {
     std::mt19937 random(seed);
     std::string text = "G21 G90 G17\nG64 P0.01\nM3 S500\nF3000\n";
-    double x = 0;
-    for (int i = 0; i < 1500; ++i) {
-        x += 0.1 + 0.2 * (random() % 100) / 100;
+    double x = -900;
+    for (int i = 0; i < 13000; ++i) {
+        x += 0.04 + 0.08 * (random() % 100) / 100;
         text += fmt::format("G1 X{:.4f} Y{:.4f} Z{:.4f}\n", x, 4 * std::sin(x / 3),
                             std::cos(x / 2) + (random() % 3) * 0.002);
         if (random() % 50 != 0) continue;
@@ -158,6 +162,7 @@ struct Words {
     std::vector<std::uint64_t> segments, profile;
     std::vector<std::string> warnings;
     double smoothed = 0;
+    int parts = 0;
 
     bool operator==(const Words& other) const {
         return segments == other.segments && profile == other.profile &&
@@ -165,14 +170,10 @@ struct Words {
     }
 };
 
-Words words_of(const std::string& text, int threads) {
-    std::istringstream stream(text);
-    ref::GcodeStream gcode(stream, "t.ngc", {});
-    gcode.obey({true, false});
+Words words_of(const std::string& file, int threads) {
     sysc::Options options;
-    ref::Program program = ref::read_all(gcode, "t.ngc");
-    options.program = std::make_shared<ref::HeldProgram>(
-        ref::HeldProgram{std::move(program), gcode.events(), {}});
+    options.file = file;
+    options.gcode.obeyed.outputs = true;
     options.outputs = 4096;
     options.threads = threads;
     sysc::JobStream job(options);
@@ -180,6 +181,7 @@ Words words_of(const std::string& text, int threads) {
     std::optional<sysc::SegmentWriter> segments;
     std::optional<sysc::ProfileWriter> profile;
     while (const ref::Plan* part = job.next()) {
+        ++words.parts;
         if (!segments) {
             segments.emplace(job.job().options.core, job.job().digest());
             profile = profile_writer(job.job());
@@ -199,14 +201,51 @@ Words words_of(const std::string& text, int threads) {
 }
 
 TEST(PlanningThreads, MakeTheWordsOfOne) {
-    for (const unsigned seed : {1U, 2U}) {
-        const std::string text = random_program(seed);
-        const Words one = words_of(text, 1);
-        EXPECT_GT(one.segments.size(), 10000U);
-        EXPECT_GT(one.smoothed, 0);
-        for (const int threads : {2, 4, 8}) {
-            EXPECT_TRUE(words_of(text, threads) == one) << threads << " threads, seed " << seed;
-        }
+    const std::string file = testing::TempDir() + fmt::format("threads_{}.ngc", getpid());
+    std::ofstream(file) << random_program(1);
+    const Words one = words_of(file, 1);
+    EXPECT_GT(one.segments.size(), 80000U);
+    EXPECT_GT(one.parts, 3);
+    EXPECT_GT(one.smoothed, 0);
+    for (const int threads : {2, 8}) {
+        EXPECT_TRUE(words_of(file, threads) == one) << threads << " threads";
+    }
+    std::filesystem::remove(file);
+}
+
+/// Ticks of each part of a plan whose source fails behind some moves.
+std::vector<double> ticks_until_it_fails(const std::shared_ptr<ref::Workers>& workers) {
+    ref::PlanOptions options;
+    options.aux_axes = 0;
+    options.window = 100;
+    options.workers = workers;
+    int line = 0;
+    const auto source = [&](ref::Move& move) {
+        if (line == 1000) throw ref::InputError("t.ngc", line, "no more");
+        move = ref::Move();
+        move.feed = 50;
+        move.start = {0.3 * line, std::sin(0.1 * line), 0};
+        ++line;
+        move.end = {0.3 * line, std::sin(0.1 * line), 0};
+        move.line = line;
+        return true;
+    };
+    ref::PlanStream stream(source, {"t.ngc", 0, 50}, ref::Machine{}, options);
+    std::vector<double> ticks;
+    EXPECT_THROW(
+        while (const std::optional<ref::Plan> part = stream.next()) {
+            ticks.push_back(ref::ticks_of(part->pieces) + 1e-3 * part->branches.size());
+        },
+        ref::InputError);
+    EXPECT_FALSE(stream.next());
+    return ticks;
+}
+
+TEST(PlanningThreads, GiveAllBeforeAFaultThatOneDoes) {
+    const std::vector<double> one = ticks_until_it_fails({});
+    EXPECT_GT(one.size(), 3U);
+    for (const int threads : {1, 2, 4}) {
+        EXPECT_EQ(ticks_until_it_fails(std::make_shared<ref::Workers>(threads)), one) << threads;
     }
 }
 
