@@ -2,6 +2,8 @@
 // Checks of a table's lines together; table_reader.hpp reads each.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -36,7 +38,8 @@ inline void check_places(const CurveTable& table) {
         if (made == table.rows.end()) continue;
         const CurveRow& row = made->second;
         if (row.word || row.start || row.value || row.same_as) {
-            Place{table.file, std::max(row.line, 1)}.refuse(name + " is made in `" + section + "`");
+            Place{table.file, std::max(row.line, 1)}.refuse(
+                fmt::format("{} is made in `{}`", name, section));
         }
         if (row.fraction == kFraction) continue;
         const bool output = name == "d" && table.section("sample").empty();

@@ -44,7 +44,7 @@ SharedCut KnownCuts::known(const Key& key) {
     if (recent != recent_.end()) return recent->second;
     const auto old = before_.find(key);
     if (old == before_.end()) return {};
-    const SharedCut cut = old->second;
+    SharedCut cut = old->second;
     before_.erase(old);
     keep(key, cut);
     return cut;

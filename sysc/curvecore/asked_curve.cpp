@@ -10,6 +10,7 @@
 #include "ref/curve/drawn/table_curve.hpp"
 #include "ref/curves/row_powers.hpp"
 #include "ref/curves/table_reader.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
