@@ -76,12 +76,8 @@ PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
     if (behind_) std::rethrow_exception(std::exchange(behind_, nullptr));
-    std::unique_ptr<PlannedPart> given = std::move(held_);
-    if (!given) {
-        std::optional<PlannedPart> first = next_part();
-        if (!first) return {};
-        given = std::make_unique<PlannedPart>(*std::move(first));
-    }
+    std::optional<PlannedPart> given = held_ ? std::exchange(held_, std::nullopt) : next_part();
+    if (!given) return {};
     if (!options_.workers || horizon_ != kUnlimited) {
         given->find_branches(machine_, options_);
         return std::move(given->plan);
@@ -89,8 +85,7 @@ std::optional<Plan> PlanStream::next() {
     each(options_.workers, 2, [&](std::size_t branches) {
         if (branches == 1) return given->find_branches(machine_, options_);
         try {
-            std::optional<PlannedPart> next = next_part();
-            if (next) held_ = std::make_unique<PlannedPart>(*std::move(next));
+            held_ = next_part();
         } catch (...) {
             behind_ = std::current_exception();
         }

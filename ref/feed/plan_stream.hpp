@@ -99,9 +99,9 @@ class PlanStream {
     std::vector<Move> next_;       // moves that follow it, up to one that has a length
     bool more_ = true;             // such a move exists
     std::vector<GivenRun> given_;
-    std::unique_ptr<Window> before_;     // the last window, for what lies behind its cut
-    std::unique_ptr<PlannedPart> held_;  // a part that is not yet given
-    std::exception_ptr behind_;          // the error behind it
+    std::unique_ptr<Window> before_;   // the last window, for what lies behind its cut
+    std::optional<PlannedPart> held_;  // a part that is not yet given
+    std::exception_ptr behind_;        // the error behind it
     bool begun_ = false;
     bool ended_ = false;
     std::exception_ptr error_;
