@@ -121,9 +121,9 @@ class Lowering {
         for (int axis = kAxesBeforeOthers; axis < core_.axes(); ++axis) {
             copy(auxiliary("origin", axis), auxiliary("start", axis));
         }
-        const auto& next = table_.section("next");
-        if (std::any_of(next.begin(), next.end(),
-                        [](const TableLine& line) { return line.row == "move"; })) {
+        const auto& anchor = table_.section("anchor");
+        if (std::none_of(anchor.begin(), anchor.end(),
+                         [](const TableLine& line) { return line.row == "place"; })) {
             copy(writer_.value(place_word::kOrigin, true), writer_.value(place_word::kStart, true));
         }
         for (const auto& [name, row] : table_.rows) {
