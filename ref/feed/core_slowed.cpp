@@ -19,6 +19,7 @@ constexpr double kReached = 0.8;
 double allowed(const Move& move, const PathShape& shape, const Machine& machine) {
     double v = highest_speed(shape, machine);
     if (!move.rapid && move.feed > 0) v = std::min(v, move.feed / shape.rate);
+    if (shape.tool) return std::min(v, top_speed(shape, machine));
     if (shape.curvature == 0) return v;
     return std::min({v, std::sqrt(machine.acceleration / shape.curvature),
                      std::cbrt(machine.jerk / (shape.curvature * shape.twist + shape.swerve))});

@@ -31,8 +31,8 @@ constexpr double kSameSpeed = 1e-9;      // relative
 
 /// Factor by which knots may be spread where the speed is constant.
 double knots_apart(const Move& move) {
-    if (move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable) return 2;
-    return move.kind == Move::Kind::kArc ? 4 : kUnlimited;
+    if (move.kind == Move::Kind::kArc) return 4;
+    return move.kind == Move::Kind::kLine ? kUnlimited : 2;
 }
 
 /// Returns true if no jump is needed: a jump passes zones that no motion from the given speed can

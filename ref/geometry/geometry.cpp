@@ -11,6 +11,7 @@
 
 #include "ref/bound/error_bound.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/geometry/joint_geometry.hpp"
 #include "ref/geometry/remedy.hpp"
 #include "ref/geometry/rotary_turns.hpp"
 #include "ref/geometry/spline_geometry.hpp"
@@ -172,10 +173,8 @@ class Cutter {
     void add(std::size_t index) {
         const Move& move = program_.moves[index];
         check_travel(move);
-        if (move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable) {
-            add_curve(index);
-            return;
-        }
+        if (move.kind == Move::Kind::kJoints) return add_joints(index);
+        if (move.kind > Move::Kind::kArc) return add_curve(index);
         const PathShape shape = path_shape(move);
         check_path(move, shape.length);
         const double unit = options_.unit_mm;
@@ -260,6 +259,13 @@ class Cutter {
         }
         append(segments, table_stretches(program_, machine_, segments.data(), segments.size(),
                                          options_.unit_mm));
+    }
+
+    void add_joints(std::size_t index) {
+        check_path(program_.moves[index], program_.moves[index].joints.length);
+        std::vector<Segment> one{joint_segment(program_, index, options_, path_)};
+        if (one[0].length == 0) return;
+        append(one, joint_stretches(program_, machine_, one[0], options_.unit_mm));
     }
 
     void add_spline(std::size_t index) {

@@ -47,7 +47,7 @@ double RotaryTurns::pieces(const Move& move) const {
 
 std::string RotaryTurns::beyond_words(const Move& move, std::size_t axis) const {
     const double travel = travelled(move, axis - 3);
-    const bool curve = move.kind == Move::Kind::kCubic || move.kind == Move::Kind::kTable;
+    const bool curve = move.kind != Move::Kind::kLine && move.kind != Move::Kind::kArc;
     const double one_segment = curve ? travel : 0;
     if (travel == 0 || longest() > one_segment) return "";
     return fmt::format(

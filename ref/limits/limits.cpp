@@ -22,20 +22,28 @@ struct Load {
     double swing;    // share of the circular part
     double advance;  // |constant part|
     double acceleration, jerk;
+    double curvature, twist, swerve;  // of the circular part
 };
 
 template <class Visit>
 void each_load(const PathShape& shape, const Machine& machine, Visit visit) {
-    if (shape.linear) {
+    if (shape.linear && shape.tool) {
+        const ToolShape& tool = *shape.tool;
+        const double curvature = tool.curvature / tool.rate;
+        visit(Load{tool.rate, 0, machine.acceleration, machine.jerk, curvature, curvature,
+                   tool.swerve / tool.rate});
+    } else if (shape.linear) {
         // Circular and axial parts are at right angles: hypot(turn, axial) <= rate.
         const double swing = shape.turn > 0 ? 1 : 0;
         const double beside = shape.turn > 0 ? shape.drift : shape.rate;
-        visit(Load{swing, beside, machine.acceleration, machine.jerk});
+        visit(Load{swing, beside, machine.acceleration, machine.jerk, shape.curvature, shape.twist,
+                   shape.swerve});
     }
     for (int i = 0; i < kMachineAxes; ++i) {
         if (shape.swing[i] == 0 && shape.advance[i] == 0) continue;
         const AxisLimits& axis = machine.axis[i];
-        visit(Load{shape.swing[i], std::abs(shape.advance[i]), axis.acceleration, axis.jerk});
+        visit(Load{shape.swing[i], std::abs(shape.advance[i]), axis.acceleration, axis.jerk,
+                   shape.curvature, shape.twist, shape.swerve});
     }
 }
 
@@ -56,6 +64,7 @@ double circular_rate(const PathShape& shape) {
 
 double path_speed(const PathShape& shape, const Machine& machine) {
     if (!shape.linear) return kUnlimitedSpeed;
+    if (shape.tool) return machine.velocity / shape.tool->rate;
     return machine.velocity / (shape.turn > 0 ? circular_rate(shape) : shape.rate);
 }
 
@@ -78,11 +87,11 @@ double top_speed(const PathShape& shape, const Machine& machine) {
         if (v * v * v > most) v = std::cbrt(most);
     };
     each_load(shape, machine, [&](const Load& load) {
-        const double across = load.swing * shape.curvature;
-        const double swerve = load.swing * shape.swerve;
+        const double across = load.swing * load.curvature;
+        const double swerve = load.swing * load.swerve;
         if (across > 0) {
             v = std::min(v, std::sqrt(kCentripetalShare * load.acceleration / across));
-            keep_cube(kCentripetalJerkShare * load.jerk / (across * shape.twist));
+            keep_cube(kCentripetalJerkShare * load.jerk / (across * load.twist));
         }
         if (swerve > 0) keep_cube(kSwerveShare * load.jerk / swerve);
     });
@@ -92,26 +101,26 @@ double top_speed(const PathShape& shape, const Machine& machine) {
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v) {
     const double turn = circular_rate(shape);
     PathLimits limits{v, 1e12, 1e15};
-    const double swerve = v * v * v * shape.swerve;
     each_load(shape, machine, [&](const Load& load) {
+        const double swerve = v * v * v * load.swerve;
         double a = 0;
         if (load.swing > 0) {
             // swing hypot(turn a, v^2 curvature) + advance a <= acceleration
-            a = largest(load.swing, v * v * shape.curvature, load.advance / turn,
+            a = largest(load.swing, v * v * load.curvature, load.advance / turn,
                         load.acceleration) /
                 turn;
             const double share = swerve > 0 ? kCrossSwerveShare : kCrossJerkShare;
             const double room = share * load.jerk / load.swing - swerve;
-            a = std::min(a, std::max(0.0, room) / (3 * v * shape.curvature));
+            a = std::min(a, std::max(0.0, room) / (3 * v * load.curvature));
         } else {
             a = load.acceleration / load.advance;
         }
         limits.acceleration = std::min(limits.acceleration, a);
     });
 
-    const double cross = 3 * v * limits.acceleration * shape.curvature + swerve;
-    const double around = v * v * v * shape.curvature * shape.twist;
     each_load(shape, machine, [&](const Load& load) {
+        const double cross = 3 * v * limits.acceleration * load.curvature + v * v * v * load.swerve;
+        const double around = v * v * v * load.curvature * load.twist;
         double j = 0;
         if (load.swing > 0) {
             // With y = turn j + around: swing hypot(y, cross) + (advance / turn) (y - around)
@@ -126,20 +135,42 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v) 
 }
 
 void each_limit(const PathShape& shape, const Machine& machine,
-                const std::function<void(double, double, double, double)>& visit) {
+                const std::function<void(const LimitLoad&)>& visit) {
     const double turn = circular_rate(shape);
     each_load(shape, machine, [&](const Load& load) {
-        visit(load.swing * turn + load.advance, load.swing, load.acceleration, load.jerk);
+        visit({load.swing * turn + load.advance, load.swing, load.curvature, load.acceleration,
+               load.jerk});
     });
 }
 
+namespace {
+
+/// Changes at a joint that the path's own limits see.
+struct PathJoint {
+    Vec3 turn;  // change of r'
+    Vec3 bend;  // and of r''
+};
+
+PathJoint path_joint(const PathShape& before, const PathShape& after) {
+    if (before.tool && after.tool) {
+        return {after.tool->tangent_start - before.tool->tangent_end,
+                after.tool->bend_start - before.tool->bend_end};
+    }
+    Vec3 turn;
+    for (std::size_t i = 0; i < 3; ++i) {
+        turn[static_cast<Eigen::Index>(i)] = after.tangent_start[i] - before.tangent_end[i];
+    }
+    return {turn, after.bend_start - before.bend_end};
+}
+
+}  // namespace
+
 double joint_velocity(const PathShape& before, const PathShape& after, const Machine& machine) {
-    double path_turn = 0;
     double aux_turn = 0;
     double v = kUnlimitedSpeed;
     for (int i = 0; i < kMachineAxes; ++i) {
         const double turn = std::abs(after.tangent_start[i] - before.tangent_end[i]);
-        (i < 3 ? path_turn : aux_turn) += turn * turn;
+        if (i >= 3) aux_turn += turn * turn;
         if (turn > 0) v = std::min(v, machine.axis[i].acceleration * machine.joint_time / turn);
     }
     const Vec3 bend = after.bend_start - before.bend_end;
@@ -152,10 +183,11 @@ double joint_velocity(const PathShape& before, const PathShape& after, const Mac
         return shape.tangent_start[0] == 0 && shape.tangent_start[1] == 0 &&
                shape.tangent_start[2] == 0 && shape.turn == 0;
     };
-    const double turn = std::sqrt(path_turn + (still(before) ? aux_turn : 0));
+    const PathJoint path = path_joint(before, after);
+    const double turn = std::sqrt(path.turn.squaredNorm() + (still(before) ? aux_turn : 0));
     if (turn > kSmallTurn) return 0;
     if (turn > 0) v = std::min(v, machine.acceleration * machine.joint_time / turn);
-    const double change = bend.norm();
+    const double change = path.bend.norm();
     if (change > 0) v = std::min(v, std::sqrt(machine.jerk * machine.joint_time / change));
     return v;
 }
@@ -164,10 +196,10 @@ LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const 
                          double v) {
     const double time = machine.joint_time;
     LimitRatios worst;
-    double turn = 0;  // turn of X Y Z
+    const PathJoint path = path_joint(before, after);
+    const double turn = path.turn.norm();
     for (int i = 0; i < kMachineAxes; ++i) {
         const double change = after.tangent_start[i] - before.tangent_end[i];
-        if (i < 3) turn = std::hypot(turn, change);
         worst.acceleration = std::max(worst.acceleration,
                                       std::abs(change) * v / (machine.axis[i].acceleration * time));
     }
@@ -176,7 +208,7 @@ LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const 
     for (int i = 0; i < 3; ++i) {
         worst.jerk = std::max(worst.jerk, std::abs(change[i]) / (machine.axis[i].jerk * time));
     }
-    worst.jerk = std::max(worst.jerk, change.norm() / (machine.jerk * time));
+    worst.jerk = std::max(worst.jerk, v * v * path.bend.norm() / (machine.jerk * time));
     return worst;
 }
 

@@ -50,10 +50,18 @@ double ramp_time(const Machine& machine);
 /// Time to full acceleration of the limits that bind along a move, s.
 double ramp_time(const PathShape& shape, const Machine& machine);
 
-/// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: the largest
-/// shares that the limit sees of a motion along the path and of one across it.
+/// Shares of a motion that a limit sees: the largest of what is along the path, and of v^2
+/// `curvature`, which is across it.
+struct LimitLoad {
+    double rate;
+    double swing;
+    double curvature;  // 1/mm
+    double acceleration, jerk;
+};
+
+/// Calls visit() for the path and every axis that moves.
 void each_limit(const PathShape& shape, const Machine& machine,
-                const std::function<void(double, double, double, double)>& visit);
+                const std::function<void(const LimitLoad&)>& visit);
 
 /// Speed at which a joint may be passed, mm/s; 0: stop. The change of the velocity vector stays
 /// within acceleration * JointTime, the change of v^2 r'' within jerk * JointTime, path and every

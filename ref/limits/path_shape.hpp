@@ -3,18 +3,33 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "ref/machine/machine.hpp"
 #include "ref/moves/move.hpp"
 
 namespace curvecore::ref {
 
+/// The tool's path where X Y Z are joints of a machine, with bounds of its derivatives by the path
+/// that the core draws.
+struct ToolShape {
+    double rate = 1;       // |r'| where it moves
+    double curvature = 0;  // |r''|, 1/mm
+    double swerve = 0;     // |r'''|, but its part along the path that a circle has, 1/mm^2
+    Vec3 tangent_start = Vec3::Zero();
+    Vec3 tangent_end = Vec3::Zero();
+    Vec3 bend_start = Vec3::Zero();
+    Vec3 bend_end = Vec3::Zero();
+};
+
 /// Derivatives of the path by its length:
 ///
 ///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
 ///
 /// with unit vectors t, n and m, the latter two at right angles to t; |r'| <= 1. Lines and arcs are
-/// exactly so; for a stretch of a spline (ref/limits/spline_shape.hpp) the values are bounds.
+/// exactly so; for a stretch of a spline (ref/limits/spline_shape.hpp) the values are bounds. Of
+/// joints (ref/limits/joint_shape.hpp), whose derivatives are at no such angles, they are, too: any
+/// load of an axis is at most that of the form above with its swing.
 ///
 /// | field     | unit    | remark                                                            |
 /// |-----------|---------|-------------------------------------------------------------------|
@@ -45,6 +60,7 @@ struct PathShape {
     AxisVector tangent_end{};
     Vec3 bend_start = Vec3::Zero();  // r''
     Vec3 bend_end = Vec3::Zero();
+    std::optional<ToolShape> tool;  // of joints: the path whose own limits hold
 };
 
 /// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.

@@ -53,6 +53,21 @@ inline void include_table(const Move& move, AxisRange& range) {
     }
 }
 
+/// Includes what joints can reach between two of their places.
+inline void include_joints(const JointPath& of, AxisRange& range) {
+    constexpr int kPlaces = 16;
+    const double gap = of.length / kPlaces;
+    const Vec3 beyond = of.joints.most(of.length, 2) * (gap * gap / 8);
+    for (int i = 0; i <= kPlaces; ++i) {
+        const Vec3 at = of.joints.at(gap * i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto row = static_cast<Eigen::Index>(axis);
+            range.low[axis] = std::min(range.low[axis], at[row] - beyond[row]);
+            range.high[axis] = std::max(range.high[axis], at[row] + beyond[row]);
+        }
+    }
+}
+
 /// Returns the smallest and largest position of every axis. A cubic turns back at most twice per
 /// axis. An arc turns back where its tangent has no component along the axis: once or twice per
 /// turn.
@@ -66,6 +81,7 @@ inline AxisRange travel(const Move& move) {
     }
     if (move.kind == Move::Kind::kCubic) include_turns(move.cubic, range);
     if (move.kind == Move::Kind::kTable) include_table(move, range);
+    if (move.kind == Move::Kind::kJoints) include_joints(move.joints, range);
     if (move.kind != Move::Kind::kArc) return range;
     const Vec3 n = move.start - move.centre;
     const Vec3 t = move.normal.cross(n);
@@ -103,9 +119,12 @@ inline std::string beyond_travel(const AxisRange& range, const Move& move, const
         const bool moves = i < 3 || move.aux_start[i - 3] != move.aux_end[i - 3];
         const bool low = range.low[i] < axis.min - kSlack;
         if (moves && (low || range.high[i] > axis.max + kSlack)) {
-            return fmt::format("{} = {:.6g} mm is beyond the machine's travel {:.6g} .. {:.6g} mm",
-                               kAxisLetters[i], low ? range.low[i] : range.high[i], axis.min,
-                               axis.max);
+            const bool joint = i < 3 && move.kind == Move::Kind::kJoints;
+            const bool angle = joint && turning(machine.kinematics)[static_cast<std::size_t>(i)];
+            const char* unit = angle ? "degrees" : "mm";
+            return fmt::format("{} = {:.6g} {} is beyond the machine's travel {:.6g} .. {:.6g} {}",
+                               joint ? fmt::format("joint {}", i) : std::string(1, kAxisLetters[i]),
+                               low ? range.low[i] : range.high[i], unit, axis.min, axis.max, unit);
         }
     }
     return "";

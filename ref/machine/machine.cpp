@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "ref/machine/ini_file.hpp"
+#include "ref/machine/kinematics_reader.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 
@@ -26,16 +27,24 @@ class MachineReader {
         machine_.name = std::filesystem::path(ini_.file()).filename().string();
         read_units();
         read_shaper();
+        machine_.kinematics = read_kinematics(ini_, unit_);
+        machine_.joint_ratio = read_joint_ratio(ini_, kLeastJointRatio);
         const std::string axes = read_axes();
         if (!ini_.has_section("TRAJ") && !any_axis_) {
             throw InputError(ini_.file(), 0,
                              "no [TRAJ], [AXIS_..] or [JOINT_..]: not a machine of LinuxCNC");
+        }
+        if (joints()) {
+            read_tool();
+            read_home();
         }
         read_path(axes);
         return machine_;
     }
 
   private:
+    bool joints() const { return !is_trivial(machine_.kinematics); }
+
     void note(const std::string& text) { machine_.notes.push_back(text); }
 
     void read_units() {
@@ -86,17 +95,25 @@ class MachineReader {
 
     /// Returns every section that limits the axis: its own, by letter or by number, and its
     /// joints'.
-    std::vector<std::string> sections_of(int axis, const std::string& joints) const {
-        std::vector<std::string> sections = {fmt::format("AXIS_{}", kAxisLetters[axis]),
-                                             fmt::format("AXIS_{}", axis)};
-        const std::optional<IniEntry> kinematics = ini_.find("KINS", "KINEMATICS");
-        if (!kinematics || kinematics->value.rfind("trivkins", 0) == 0) {
-            for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-                if (joints[joint] == kAxisLetters[axis]) {
-                    sections.push_back(fmt::format("JOINT_{}", joint));
-                }
+    std::vector<std::string> sections_of(int axis, const std::string& letters) const {
+        std::vector<std::string> sections;
+        if (!joints()) sections = tool_sections(axis);
+        for (std::size_t joint = 0; joint < letters.size(); ++joint) {
+            const bool bent = joints() && joint < 3;  // X Y Z together make the first three
+            if (bent ? static_cast<int>(joint) == axis
+                     : letters[joint] == kAxisLetters[axis] && !(joints() && axis < 3)) {
+                sections.push_back(fmt::format("JOINT_{}", joint));
             }
         }
+        return there(std::move(sections));
+    }
+
+    /// Returns the sections of an axis of the tool.
+    static std::vector<std::string> tool_sections(int axis) {
+        return {fmt::format("AXIS_{}", kAxisLetters[axis]), fmt::format("AXIS_{}", axis)};
+    }
+
+    std::vector<std::string> there(std::vector<std::string> sections) const {
         sections.erase(std::remove_if(sections.begin(), sections.end(),
                                       [this](const auto& s) { return !ini_.has_section(s); }),
                        sections.end());
@@ -105,10 +122,10 @@ class MachineReader {
 
     /// Reads the axes that the file describes.
     std::string read_axes() {
-        const std::string joints = joint_letters();
+        const std::string letters = joint_letters();
         std::string axes;
         for (int axis = 0; axis < kMachineAxes; ++axis) {
-            const std::vector<std::string> sections = sections_of(axis, joints);
+            const std::vector<std::string> sections = sections_of(axis, letters);
             if (!sections.empty()) {
                 read_axis(axis, sections);
                 any_axis_ = true;
@@ -120,10 +137,48 @@ class MachineReader {
         return axes;
     }
 
-    /// Reads an axis; where it and its joints differ, the tighter limit holds.
+    /// Reads where the joints of X Y Z stand at first, if all say it.
+    void read_home() {
+        const std::array<bool, 3> angles = turning(machine_.kinematics);
+        Vec3 home;
+        for (int joint = 0; joint < 3; ++joint) {
+            const auto place = ini_.number(fmt::format("JOINT_{}", joint), "HOME");
+            if (!place) return note("HOME of the joints: the program begins at X0 Y0 Z0");
+            home[joint] = *place * (angles[static_cast<std::size_t>(joint)] ? 1 : unit_);
+        }
+        machine_.home = home;
+    }
+
+    /// Reads the tool's own axes, where X Y Z of the machine are joints.
+    void read_tool() {
+        for (int axis = 0; axis < 3; ++axis) {
+            read_limits(fmt::format("AXIS_{}", kAxisLetters[axis]), there(tool_sections(axis)),
+                        unit_, machine_.tool[static_cast<std::size_t>(axis)]);
+        }
+    }
+
+    /// Reads an axis.
     void read_axis(int axis, const std::vector<std::string>& sections) {
-        const double unit = axis >= 3 && axis < 6 ? 1 : unit_;
+        const bool angle =
+            joints() && axis < 3 ? turning(machine_.kinematics)[axis] : axis >= 3 && axis < 6;
         AxisLimits& limits = machine_.axis[axis];
+        read_limits(joints() && axis < 3 ? fmt::format("joint {}", axis)
+                                         : std::string(1, kAxisLetters[axis]),
+                    sections, angle ? 1 : unit_, limits);
+        limits.rotary = axis >= 3 && axis < 6 && is_wrapped(sections);
+        if (limits.rotary) {
+            limits.min = -kUnlimitedTravel;
+            limits.max = kUnlimitedTravel;
+        }
+        limits.rotary =
+            limits.rotary || (axis >= 3 && axis < 6 && limits.min == -kUnlimitedTravel &&
+                              limits.max == kUnlimitedTravel && is_angular(sections));
+        read_mode(axis, sections);
+    }
+
+    /// Reads limits of what a name says; where sections differ, the tighter one holds.
+    void read_limits(const std::string& of, const std::vector<std::string>& sections, double unit,
+                     AxisLimits& limits) {
         const auto tightest = [&](const std::string& name) {
             std::optional<double> least;
             for (const std::string& section : sections) {
@@ -136,7 +191,7 @@ class MachineReader {
         const auto take = [&](const char* name, double& field, double otherwise) {
             const std::optional<double> value = tightest(name);
             if (!value) {
-                note(fmt::format("{} {}: {:g}", kAxisLetters[axis], name, otherwise));
+                note(fmt::format("{} {}: {:g}", of, name, otherwise));
             }
             field = value.value_or(otherwise);
         };
@@ -144,8 +199,7 @@ class MachineReader {
         take("MAX_ACCELERATION", limits.acceleration, limits.acceleration);
         take("MAX_JERK", limits.jerk, limits.acceleration / kJerkTime);
         any_jerk_ = any_jerk_ || tightest("MAX_JERK");
-        read_travel(axis, sections, unit);
-        read_mode(axis, sections);
+        read_travel(of, sections, unit, limits);
     }
 
     void read_mode(int axis, const std::vector<std::string>& sections) {
@@ -178,12 +232,11 @@ class MachineReader {
         machine_.shaper = static_cast<ShaperKind>(known - kShaperNames.begin());
     }
 
-    void read_travel(int axis, const std::vector<std::string>& sections, double unit) {
-        AxisLimits& limits = machine_.axis[axis];
-        limits.rotary = axis >= 3 && axis < 6 && is_wrapped(sections);
+    void read_travel(const std::string& of, const std::vector<std::string>& sections, double unit,
+                     AxisLimits& limits) {
         limits.min = -kUnlimitedTravel;
         limits.max = kUnlimitedTravel;
-        if (limits.rotary) return;
+        if (is_wrapped(sections)) return;
         for (const std::string& section : sections) {
             const std::optional<double> min = ini_.number(section, "MIN_LIMIT");
             const std::optional<double> max = ini_.number(section, "MAX_LIMIT");
@@ -193,12 +246,10 @@ class MachineReader {
                 const char* name = max ? "MAX_LIMIT" : "MIN_LIMIT";
                 throw InputError(
                     ini_.file(), ini_.find(section, name)->line,
-                    fmt::format("{} has no travel: MIN_LIMIT {:g} mm, MAX_LIMIT {:g} mm",
-                                kAxisLetters[axis], limits.min, limits.max));
+                    fmt::format("{} has no travel: MIN_LIMIT {:g} mm, MAX_LIMIT {:g} mm", of,
+                                limits.min, limits.max));
             }
         }
-        limits.rotary = axis >= 3 && axis < 6 && limits.min == -kUnlimitedTravel &&
-                        limits.max == kUnlimitedTravel && is_angular(sections);
     }
 
     bool is_wrapped(const std::vector<std::string>& sections) const {
@@ -214,6 +265,11 @@ class MachineReader {
         });
     }
 
+    /// Returns the limits of an axis of the path.
+    const AxisLimits& of_path(int axis) const {
+        return joints() ? machine_.tool[static_cast<std::size_t>(axis)] : machine_.axis[axis];
+    }
+
     /// Reads the limits along the path; by default those that the axes together allow.
     void read_path(const std::string& axes) {
         const auto together = [&](double AxisLimits::*limit) {
@@ -221,9 +277,9 @@ class MachineReader {
             for (int axis = 0; axis < 3; ++axis) {
                 const bool counts =
                     axes.empty() || axes.find(kAxisLetters[axis]) != std::string::npos;
-                sum = std::hypot(sum, counts ? machine_.axis[axis].*limit : 0);
+                sum = std::hypot(sum, counts ? of_path(axis).*limit : 0);
             }
-            return sum > 0 ? sum : machine_.axis[0].*limit;
+            return sum > 0 ? sum : of_path(0).*limit;
         };
         const auto take = [&](const char* name, const char* old_name, double AxisLimits::*limit_of,
                               double& field) {

@@ -2,12 +2,15 @@
 // The machine's limits in mm, s (degrees for rotary axes), with the names of LinuxCNC's .ini file.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ref/curve/axes.hpp"
+#include "ref/machine/kinematics.hpp"
 #include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
@@ -42,6 +45,9 @@ inline std::array<AxisLimits, kMachineAxes> built_in_axes() {
     return axes;
 }
 
+/// Rate of an axis by the path that the core draws; its words hold less than 2.
+constexpr double kLeastJointRatio = 1.9;
+
 struct Machine {
     std::string name = "built-in";
     double velocity = 500;       // along the path
@@ -51,7 +57,23 @@ struct Machine {
     std::array<AxisLimits, kMachineAxes> axis = built_in_axes();
     ShaperKind shaper = ShaperKind::kNone;  // ref/machine/shaper.hpp
     std::array<Vibration, kMachineAxes> modes;
-    std::vector<std::string> notes;  // defaults that were used, for the report
+    Kinematics kinematics;  // unless trivial, `axis` is of joints, velocity .. jerk of the tool
+    double joint_ratio = kLeastJointRatio;  // mm or degrees that a joint goes for a mm of the tool
+    std::optional<Vec3> home;               // joints from which a program begins, where axes are
+    std::array<AxisLimits, 3> tool;         // travel of the tool's X Y Z, where the axes are joints
+    std::vector<std::string> notes;         // defaults that were used, for the report
+
+    /// Returns the machine that its tool would be with axes of its own.
+    Machine of_tool() const {
+        Machine own = *this;
+        if (is_trivial(kinematics)) return own;
+        std::copy(tool.begin(), tool.end(), own.axis.begin());
+        own.kinematics = TrivialKinematics();
+        if (home) own.home = ref::tool_of(kinematics, *home, Vec3::Zero());
+        return own;
+    }
+    /// Times by which the path that the core draws is longer than the tool's, for its joints.
+    double joint_stretch() const { return std::max(1.0, joint_ratio / kLeastJointRatio); }
 };
 
 /// Reads LinuxCNC's .ini, lengths in its LINEAR_UNITS (mm or inch):

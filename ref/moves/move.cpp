@@ -37,6 +37,7 @@ double Move::length() const {
         return arc_length(cubic, 0, 1);
     }
     if (kind == Kind::kTable) return table_length;
+    if (kind == Kind::kJoints) return joints.length;
     const double xyz = (end - start).norm();
     if (xyz > 0) {
         return xyz;

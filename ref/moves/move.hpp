@@ -9,6 +9,7 @@
 #include "ref/curve/axes.hpp"
 #include "ref/curve/cubic.hpp"
 #include "ref/curve/drawn/table_piece.hpp"
+#include "ref/curve/joint_path.hpp"
 
 namespace curvecore::ref {
 
@@ -16,8 +17,8 @@ namespace curvecore::ref {
 /// without P, and before any mode.
 constexpr double kPathTolerance = 0.01;  // mm
 
-/// A straight line, an arc (circle, helix, any plane), a cubic or the curve of a table, with
-/// auxiliary axes linear in path length.
+/// A straight line, an arc (circle, helix, any plane), a cubic, the curve of a table, or what a
+/// machine's joints do along a piece of these; with auxiliary axes linear in path length.
 ///
 /// | field    | unit    | remark                                                             |
 /// |----------|---------|--------------------------------------------------------------------|
@@ -30,10 +31,12 @@ constexpr double kPathTolerance = 0.01;  // mm
 /// |          |         | still in points (cusps)                                            |
 /// | table    | mm      | its rows at `start`; its end is `end` to 1e-6 mm                   |
 /// | table_length | mm  | of a table's curve                                                 |
+/// | joints   |         | X Y Z are joints of a machine: start and end are theirs, feed is    |
+/// |          |         | by the path that is drawn                                          |
 /// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
 /// | from, to | mm      | the programmed path that it draws, by the length of all moves       |
 struct Move {
-    enum class Kind { kLine, kArc, kCubic, kTable };
+    enum class Kind { kLine, kArc, kCubic, kTable, kJoints };
 
     Kind kind = Kind::kLine;
     int line = 0;  // in the program's file, from 1
@@ -47,6 +50,7 @@ struct Move {
     Cubic cubic;
     TablePiece table;
     double table_length = 0;
+    JointPath joints;
     Aux aux_start{};
     Aux aux_end{};
     double feed = 0;

@@ -45,6 +45,10 @@ MovePlace place_on(const Move& move, double s) {
         const TableCurve curve(move.table, move.start, move.table_length);
         return {curve.position(s), curve.direction(s), curve.bend(s)};
     }
+    if (move.kind == Move::Kind::kJoints) {
+        const auto& joints = move.joints.joints;
+        return {joints.at(s), joints.derivative(s, 1), joints.derivative(s, 2)};
+    }
     MovePlace place;
     place.tangent = (move.end - move.start).normalized();
     place.position = move.start + s * place.tangent;
@@ -70,6 +74,7 @@ Move part_of(const Move& move, double from, double to) {
         if (from > 0) part.table = curve.piece_at(from);
         part.table_length = to - from;
     }
+    if (move.kind == Move::Kind::kJoints) part.joints = move.joints.part(from, to);
     for (std::size_t i = 0; i < kAuxAxes; ++i) {
         const double rate = (move.aux_end[i] - move.aux_start[i]) / length;
         if (from > 0) part.aux_start[i] = move.aux_start[i] + rate * from;

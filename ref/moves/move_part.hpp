@@ -10,7 +10,7 @@ namespace curvecore::ref {
 /// |-----------|-----------|-------|------|----------------------------------------------------|
 /// | position  | r         | 3     | mm   |                                                    |
 /// | tangent   | T = dr/ds | 3     | 1    | |T| = 1, <= 1 on an arc with an advance in its     |
-/// |           |           |       |      | plane                                              |
+/// |           |           |       |      | plane; of joints as they go                        |
 /// | curvature | d2r/ds2   | 3     | 1/mm | kappa N; normal to T where |T| = 1 all along       |
 struct MovePlace {
     Vec3 position = Vec3::Zero();

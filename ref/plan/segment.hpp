@@ -28,6 +28,7 @@ struct Segment {
     Aux aux_end{};
     Aux aux_advance{};      // per unit of path
     Aux aux_turned{};       // whole turns of a rotary axis that its words leave out, units
+    double stretch = 1;     // of joints: by how much the path is longer than the tool's
     int step_exponent = 0;  // k: an integration step is 2^k units
     double bound = 0;       // derived bound of the error per axis, before the final rounding, units
     std::uint32_t ticks = 0;  // profile ticks in which it is drawn; a program's sum is its pieces'

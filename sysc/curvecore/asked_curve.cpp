@@ -104,8 +104,9 @@ ref::Move move_along(const NamedCurve& curve) {
     }
     move.table_length = move.to = curve.length;
     try {
-        move.end =
-            ref::TableCurve(move.table, move.start, move.table_length).position(move.table_length);
+        const ref::TableCurve along(move.table, move.start, move.table_length);
+        along.check_path();
+        move.end = along.position(move.table_length);
     } catch (const std::domain_error& error) {
         throw UsageError(fmt::format("{}: {}", curve.table->file, error.what()));
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ref/geometry/segment_batches.hpp"
 #include "ref/moves/move_part.hpp"
@@ -46,16 +47,20 @@ ref::PlanOptions segment_options(const Options& options) {
 DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
                        std::optional<ref::SplineForm> form)
     : program_(open_program(options)),
-      machine_(machine),
+      machine_(machine.of_tool()),
       plan_options_(segment_options(options)),
       form_(form_of(options, form)),
       tolerance_(options.arc_tolerance.value_or(0)),
       from_(options.from_mm) {
     plan_options_.advise = false;
     plan_options_.cuts = std::make_shared<ref::KnownCuts>();
+    if (!ref::is_trivial(machine.kinematics)) {
+        joints_.emplace([this](ref::Move& move) { return next_drawn(move); }, program_.file(),
+                        machine, options.plan_options());
+    }
     if (options.exact_path) return;
     const bool arcs = form_of(options) == ref::SplineForm::kArcs;
-    smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,
+    smooth_.emplace([this](ref::Move& move) { return read(move); }, machine_,
                     arcs ? kShareBesideArcs : 1,
                     [this](const std::deque<ref::Move>& moves) { return carried(moves); });
 }
@@ -77,7 +82,9 @@ bool DrawnMoves::carried(const std::deque<ref::Move>& moves) const {
     return true;
 }
 
-bool DrawnMoves::next(ref::Move& move) {
+bool DrawnMoves::next(ref::Move& move) { return joints_ ? joints_->next(move) : next_drawn(move); }
+
+bool DrawnMoves::next_drawn(ref::Move& move) {
     while (give(move)) {
         const double before = from_ - left_out_;
         if (before > 0) {
@@ -99,9 +106,18 @@ bool DrawnMoves::next(ref::Move& move) {
     return false;
 }
 
+/// Reads a move; the first begins where the tool is when the joints are at home.
+bool DrawnMoves::read(ref::Move& move) {
+    if (!program_.next(move)) return false;
+    if (!std::exchange(begun_, true) && machine_.home && move.kind == ref::Move::Kind::kLine) {
+        move.start = *machine_.home;
+    }
+    return true;
+}
+
 bool DrawnMoves::give(ref::Move& move) {
     if (ready_.empty()) {
-        if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
+        if (!(smooth_ ? smooth_->next(move) : read(move))) return false;
         if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
             return true;
         }

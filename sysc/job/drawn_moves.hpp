@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves of a program as they are drawn, while it is read: smooth within G64's tolerance, and with
-// arcs in place of splines where the core or the user needs them.
+// arcs in place of splines where the core or the user needs them; and as joints, where the machine
+// has some.
 #pragma once
 
 #include <deque>
 #include <memory>
 
+#include "ref/joints/joint_moves.hpp"
 #include "ref/moves/spline_form.hpp"
 #include "ref/path/smooth_stream.hpp"
 #include "ref/program/program_stream.hpp"
@@ -40,9 +42,11 @@ class DrawnMoves {
     bool carried(const std::deque<ref::Move>& moves) const;
     void replace(const ref::Move& spline);
     bool give(ref::Move& move);
+    bool next_drawn(ref::Move& move);
+    bool read(ref::Move& move);
 
     ref::ProgramStream program_;
-    const ref::Machine& machine_;
+    const ref::Machine machine_;  // the tool's
     ref::PlanOptions plan_options_;
     std::optional<ref::SmoothStream> smooth_;
     ref::SplineForm form_;
@@ -53,6 +57,8 @@ class DrawnMoves {
     const double from_;
     double left_out_ = 0;  // mm
     bool given_ = false;
+    bool begun_ = false;
+    std::optional<ref::JointMoves> joints_;
 };
 
 /// Opens the program that these options name.

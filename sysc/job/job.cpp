@@ -59,6 +59,11 @@ bool Job::is_smooth() const {
     return smoothed && (smoothed->deviation > 0 || smoothed->moves != plan.moves.size());
 }
 
+double Job::path_mm() const {
+    return std::ldexp(static_cast<double>(plan.path_length()), -16) * plan.unit_mm /
+           machine.joint_stretch();
+}
+
 ref::Machine machine_of(const Options& options) {
     ref::Machine machine =
         options.machine.empty() ? ref::Machine() : ref::read_machine(options.machine);

@@ -36,6 +36,10 @@ struct Job {
     bool bounded() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
+    /// Returns true if X Y Z are joints of the machine.
+    bool joints() const { return !ref::is_trivial(machine.kinematics); }
+    /// Length of the tool's path, mm.
+    double path_mm() const;
     /// Number of words of both streams.
     std::size_t words() const { return plan.words(options.core.segment_words()); }
     /// Returns true if the drawn path differs from the programmed one.

@@ -61,7 +61,8 @@ JobStream::JobStream(const Options& options, ref::Machine machine,
         return;
     }
     try {
-        look_at_program();
+        // What a machine's joints draw is known of the drawn path alone.
+        ref::is_trivial(job_.machine.kinematics) ? look_at_program() : look_at_drawn();
     } catch (const ref::InputError&) {
         const std::exception_ptr programmed = std::current_exception();
         try {

@@ -106,4 +106,16 @@ std::string tool_text(const Job& job, const ToolResult& tool) {
                        shaper_of(job), without, 1e3 * tool.delay_s, limits_text(job, tool.drives));
 }
 
+nlohmann::ordered_json joints_json(const Job& job, const CheckResult& check) {
+    return {{"kinematics", ref::name_of(job.machine.kinematics)},
+            {"tool_off_mm", check.tool_off},
+            {"of_bound", check.tool_of_bound}};
+}
+
+std::string joints_text(const Job& job, const CheckResult& check) {
+    return fmt::format("{}: off by {:.3g} nm at most, {:.3f} of what its joints' bounds allow",
+                       ref::name_of(job.machine.kinematics), check.tool_off * 1e6,
+                       check.tool_of_bound);
+}
+
 }  // namespace curvecore::sysc

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sysc/job/job.hpp"
+#include "sysc/watch/check_result.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/watch/tool_meter.hpp"
 
@@ -26,5 +27,9 @@ nlohmann::ordered_json tool_json(const Job& job, const ToolResult& tool);
 
 /// The same in one line.
 std::string tool_text(const Job& job, const ToolResult& tool);
+
+/// Distance of the tool from its path, of a machine with joints, before rounding.
+nlohmann::ordered_json joints_json(const Job& job, const CheckResult& check);
+std::string joints_text(const Job& job, const CheckResult& check);
 
 }  // namespace curvecore::sysc

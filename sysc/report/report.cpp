@@ -210,6 +210,10 @@ std::vector<Check> Report::checks() const {
             {"no late sample", drawn->status.late_samples == 0,
              fmt::format("{} periods without their sample", drawn->status.late_samples)},
         };
+        if (job.joints()) {
+            checks.push_back(
+                {"tool on its path", check.tool_of_bound <= 1, joints_text(job, check)});
+        }
         if (const std::optional<StepStatus>& steps = drawn->status.steps) {
             checks.push_back({"every step given", every_step_given(*steps),
                               steps_text(*steps, axis_names(job))});
@@ -256,8 +260,7 @@ nlohmann::ordered_json Report::json() const {
     json["hold"] = hold_json(job.plan);
     json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
-    json["path_mm"] =
-        std::ldexp(static_cast<double>(job.plan.path_length()), -16) * job.plan.unit_mm;
+    json["path_mm"] = job.path_mm();
     json["samples"] = samples;
     json["board"] = nullptr;
     if (drawn != nullptr) {
@@ -301,6 +304,7 @@ nlohmann::ordered_json Report::json() const {
         json["limits"]["samples"] = limits_json(job, drawn->check.rounded_limits);
         json["limits"]["samples"]["rounding_share"] = drawn->check.rounded_limits.rounding();
         if (drawn->check.tool) json["tool"] = tool_json(job, *drawn->check.tool);
+        if (job.joints()) json["joints"] = joints_json(job, drawn->check);
         json["rtl_equals_kernel"] = drawn->check.differing_words;
         json["underruns"] = drawn->status.underrun ? 1 : 0;
         json["fault"] = drawn->status.fault;
@@ -335,9 +339,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
                             ref::parameters_text(job.options.core)));
     row("program", fmt::format("{} moves, {} segments, {} words, {:.3f} mm", job.plan.moves.size(),
-                               job.plan.segments.size(), job.words(),
-                               std::ldexp(static_cast<double>(job.plan.path_length()), -16) *
-                                   job.plan.unit_mm));
+                               job.plan.segments.size(), job.words(), job.path_mm()));
     if (job.dialect) {
         row("dialect", fmt::format("{}{}", ref::name_of(*job.dialect),
                                    job.options.gcode.dialect ? "" : ", recognised"));
@@ -373,6 +375,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
             fmt::format("{:.4f} units; derived bound {:.4f}{}", worst(check.unrounded), job.bound(),
                         unbounded_text(job)));
         if (check.tool) row("tool", tool_text(job, *check.tool));
+        if (job.joints()) row("tool's path", joints_text(job, check));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
         if (has_clock()) row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
         if (const std::optional<StepStatus>& steps = drawn->status.steps) {

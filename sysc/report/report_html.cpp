@@ -84,8 +84,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     head["rtl"] = report.drawn != nullptr;
     head["held"] = report.held();
     head["unit"] = unit_text(job);
-    head["path_mm"] =
-        std::ldexp(static_cast<double>(job.plan.path_length()), -16) * job.plan.unit_mm;
+    head["path_mm"] = job.path_mm();
     head["duration_s"] = report.duration_s();
     head["velocity"] = job.machine.velocity;
     if (const auto& window = pictures.window()) {

@@ -52,6 +52,8 @@ struct CheckResult {
     LimitLoads drawn;           // of the exact curve at the samples' path lengths
     LimitLoads rounded_limits;  // of the samples, with the rounding allowed for
     std::optional<ToolResult> tool;  // of a machine with modes
+    double tool_off = 0;       // mm, the drawn joints' tool - its path, of a machine with joints
+    double tool_of_bound = 0;  // the same, by what the joints' bounds allow
     double speed_of_allowed =
         0;  // speed error / (1e-6 chord + what the bounds allow, at least 0.1)
 

@@ -71,7 +71,7 @@ void Checker::start() {
     last_curve_ = segment.start;
     meter(ref::exact_point(segment, segment.start, 0), position);
     samples_.row(0, cursor_.index(), 0, position);
-    pictures_.sample(0, cursor_.index(), last_curve_, true);
+    pictures_.sample(0, cursor_.index(), compare_tool(last_curve_, 0), true);
 }
 
 void Checker::compare_with_kernel(const Sample& drawn) {
@@ -119,7 +119,7 @@ void Checker::compare_with_curve(const Sample& drawn) {
     }
     meter(ref::exact_point(segment, curve, s), drawn.position.data());
     pictures_.error(cursor_.s(), worst, bound);
-    pictures_.sample(cursor_.s(), cursor_.index(), point, cursor_.at_end());
+    pictures_.sample(cursor_.s(), cursor_.index(), compare_tool(point, s), cursor_.at_end());
     compare_speed(point, curve);
 }
 
@@ -132,6 +132,30 @@ void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
         if (i >= 3) rounded[i] += cursor_.segment().aux_turned[i - 3];
     }
     rounded_.take(rounded, cursor_.index());
+}
+
+/// Compares the tool of drawn joints with its path, both before rounding; returns its place, units.
+ref::Vec3 Checker::compare_tool(const ref::Vec3& joints, double s) {
+    const ref::Kinematics& kinematics = job_.machine.kinematics;
+    if (ref::is_trivial(kinematics)) return joints;
+    const double unit = job_.plan.unit_mm;
+    const ref::Segment& segment = cursor_.segment();
+    const ref::Move& move = job_.plan.moves[segment.move];
+    ref::Vec3 abc;
+    for (std::size_t i = 0; i < 3; ++i) {
+        abc[static_cast<Eigen::Index>(i)] =
+            (ref::exact_aux(segment, i, s) + segment.aux_turned[i]) * unit;
+    }
+    const ref::Vec3 tool = ref::tool_of(kinematics, joints * unit, abc);
+    if (move.kind == ref::Move::Kind::kJoints) {
+        const ref::JointPath& path = move.joints;
+        const double off = (tool - path.tool.at(s * unit)).norm();
+        result_.tool_off = std::max(result_.tool_off, off);
+        const double allowed =
+            ref::tool_error(kinematics, joints * unit, abc, segment.bound * unit);
+        result_.tool_of_bound = std::max(result_.tool_of_bound, off / allowed);
+    }
+    return tool / unit;
 }
 
 KindResult& Checker::kind_of(const ref::Segment& segment) {

@@ -48,7 +48,8 @@ LimitMeter::LimitMeter(const ref::Machine& machine, double unit_mm, double perio
       stride_(static_cast<std::uint64_t>(samples_per_tick) *
               static_cast<std::uint64_t>(std::max(
                   1.0, std::floor(windows.front() / (kDense * period_s * samples_per_tick))))),
-      step_(static_cast<double>(stride_) * period_s) {
+      step_(static_cast<double>(stride_) * period_s),
+      kinematics_(machine.kinematics) {
     std::size_t longest = 0;
     for (const double seconds : windows) {
         loads_.windows.push_back({seconds, {}, {}});
@@ -64,6 +65,10 @@ LimitMeter::LimitMeter(const ref::Machine& machine, double unit_mm, double perio
     mask_ = ring - 1;
     place_.resize(ring);
     velocity_.resize(ring, Point{});
+    if (!ref::is_trivial(kinematics_)) {
+        tool_.resize(ring);
+        tool_velocity_.resize(ring, ref::Vec3::Zero());
+    }
     allow(machine, error * unit_mm);
 }
 
@@ -119,6 +124,13 @@ void LimitMeter::place(const Point& point) {
     const Point& before = place_[(steps_ - 1) & mask_];
     Point& velocity = velocity_[steps_ & mask_];
     for (std::size_t i = 0; i < point.size(); ++i) velocity[i] = (now[i] - before[i]) / step_;
+    if (!tool_.empty()) {
+        const ref::Vec3 tool =
+            ref::tool_of(kinematics_, {now[0], now[1], now[2]}, {now[3], now[4], now[5]});
+        if (steps_ == 0) std::fill(tool_.begin(), tool_.end(), tool);
+        tool_[steps_ & mask_] = tool;
+        tool_velocity_[steps_ & mask_] = (tool - tool_[(steps_ - 1) & mask_]) / step_;
+    }
     for (const Window& window : windows_) measure(window);
     ++steps_;
 }
@@ -145,8 +157,15 @@ void LimitMeter::measure(const Window& window) {
             }
         }
     };
-    const std::array<double, 3> path{path_length(axes_, moved), path_length(axes_, change),
-                                     path_length(axes_, second)};
+    std::array<double, 3> path{path_length(axes_, moved), path_length(axes_, change),
+                               path_length(axes_, second)};
+    if (!tool_.empty()) {
+        const auto ago = [&](std::size_t steps) { return (steps_ - steps) & mask_; };
+        const ref::Vec3& now = tool_velocity_[ago(0)];
+        const ref::Vec3& before = tool_velocity_[ago(window.steps)];
+        path = {(tool_[ago(0)] - tool_[ago(window.steps)]).norm(), (now - before).norm(),
+                (now - 2 * before + tool_velocity_[ago(2 * window.steps)]).norm()};
+    }
     keep(0, path);
     if (look_ && &window == &windows_.back()) {
         const double w = static_cast<double>(window.steps) * step_;

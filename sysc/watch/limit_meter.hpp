@@ -47,8 +47,8 @@ struct LimitLoads {
 };
 
 /// Measures, with the mean velocity v(t) over one tick h, within which samples are even, for every
-/// window w (T = JointTime), of the path (X Y Z as a vector; U V W while these stand) and of every
-/// axis:
+/// window w (T = JointTime), of the path (X Y Z as a vector; U V W while these stand; the tool's
+/// place where the axes are joints) and of every axis:
 ///
 ///     |r(t + w) - r(t)|                 <=  V w
 ///     |v(t + w) - v(t)|                 <=  A (w + T)
@@ -102,6 +102,8 @@ class LimitMeter {
     std::vector<Window> windows_;
     std::vector<std::vector<std::array<double, 3>>> allowed_;  // by window, path and axes
     std::vector<Point> place_, velocity_;                      // rings
+    ref::Kinematics kinematics_;
+    std::vector<ref::Vec3> tool_, tool_velocity_;  // rings, where the axes are joints
     std::size_t mask_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t samples_ = 0;

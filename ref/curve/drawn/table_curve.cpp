@@ -58,6 +58,9 @@ TableCurve::TableCurve(const TablePiece& piece, const Vec3& start, double length
             throw std::domain_error("its series do not converge, in however short steps");
         }
     }
+}
+
+void TableCurve::check_path() const {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
         for (const double part : {0.0, 0.5, 1.0}) {
             const double speed = direction((static_cast<double>(i) + part) * h_).norm();

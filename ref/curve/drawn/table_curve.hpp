@@ -12,8 +12,7 @@ namespace curvecore::ref {
 /// position: some 1e-13 of the length.
 class TableCurve final : public PathCurve {
   public:
-    /// @throws std::domain_error if no step is short enough, or if it is no curve of path length:
-    /// |r'| is not 1
+    /// @throws std::domain_error if no step is short enough
     TableCurve(const TablePiece& piece, const Vec3& start, double length);
 
     Vec3 position(double s) const override { return derivative(s, 0); }
@@ -24,6 +23,9 @@ class TableCurve final : public PathCurve {
     double curvature(double s) const override { return bend(s).norm(); }
     SharpestPlace sharpest() const override;
     bool straight() const override { return false; }
+
+    /// Checks that it is a curve of path length. @throws std::domain_error: |r'| is not 1
+    void check_path() const;
 
     double length() const { return length_; }
     /// Returns whether any order of a step moves an axis.

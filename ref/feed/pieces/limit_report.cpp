@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ref/feed/pieces/piece_loads.hpp"
+#include "ref/geometry/joint_geometry.hpp"
 #include "ref/geometry/spline_geometry.hpp"
 #include "ref/geometry/table_geometry.hpp"
 
@@ -29,6 +30,11 @@ Geometry moves_of(const Program& program, const Machine& machine, const Plan& pl
         } else if (program.moves[index].kind == Move::Kind::kTable) {
             for (const PlannedMove& stretch :
                  table_stretches(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
+                geometry.moves.push_back(stretch);
+            }
+        } else if (program.moves[index].kind == Move::Kind::kJoints) {
+            for (const PlannedMove& stretch :
+                 joint_stretches(program, machine, plan.segments[i], plan.unit_mm)) {
                 geometry.moves.push_back(stretch);
             }
         } else {

@@ -39,11 +39,17 @@ PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Mach
                           acceleration, jerk});
     };
     const bool xyz = dot(at.d1, at.d1, 0, 3) > 0;
-    if (shape.linear) add(xyz ? 0 : 6, xyz ? 3 : 9, machine.acceleration, machine.jerk);
+    if (shape.linear && shape.tool) {
+        const auto& [r1, r2, r3] = at.tool;
+        limits.push_back({r1.dot(r1), r1.dot(r2), r1.dot(r3), r2.dot(r2), r2.dot(r3), r3.dot(r3),
+                          machine.acceleration, machine.jerk});
+    } else if (shape.linear) {
+        add(xyz ? 0 : 6, xyz ? 3 : 9, machine.acceleration, machine.jerk);
+    }
     for (std::size_t i = 0; i < kMachineAxes; ++i) {
         const AxisLimits& axis = machine.axis[i];
-        const bool implied =
-            i < 3 && axis.acceleration >= machine.acceleration && axis.jerk >= machine.jerk;
+        const bool implied = !shape.tool && i < 3 && axis.acceleration >= machine.acceleration &&
+                             axis.jerk >= machine.jerk;
         const bool moves = shape.swing[i] != 0 || shape.advance[i] != 0;
         if (!implied && moves) add(i, i + 1, axis.acceleration, axis.jerk);
     }
@@ -67,6 +73,9 @@ PathPlace PathPlaces::at(std::size_t planned, double s) {
     if (move.kind == Move::Kind::kArc) return on_arc(move, part.shape, begin_[planned] + s);
     if (move.kind == Move::Kind::kCubic) return on_spline(move, begin_[planned] + s);
     if (move.kind == Move::Kind::kTable) return on_table(move, begin_[planned] + s);
+    if (move.kind == Move::Kind::kJoints) {
+        return on_joints(move.joints, part.shape, begin_[planned] + s);
+    }
     PathPlace place;
     place.d1 = part.shape.advance;
     return place;
@@ -98,6 +107,18 @@ PathPlace PathPlaces::on_spline(const Move& move, double s) {
     put(curvature_vector(move.cubic, u), place.d2);
     put(curvature_rate(move.cubic, u), place.d3);
     put_aux(move, length_->length(), place);
+    return place;
+}
+
+PathPlace PathPlaces::on_joints(const JointPath& of, const PathShape& shape, double s) const {
+    PathPlace place;
+    place.d1 = shape.advance;
+    AxisVector* const all[] = {&place.d1, &place.d2, &place.d3};
+    for (int n = 1; n <= 3; ++n) {
+        const auto at = static_cast<std::size_t>(n - 1);
+        put(of.joints.derivative(s, n), *all[at]);
+        place.tool[at] = of.tool.derivative(s, n);
+    }
     return place;
 }
 

@@ -13,11 +13,13 @@
 
 namespace curvecore::ref {
 
-/// r', r'', r''' of all axes, mm and degrees per mm of path.
+/// r', r'', r''' of all axes, mm and degrees per mm of path; and of the tool, where the axes are
+/// joints.
 struct PathPlace {
     AxisVector d1{};
     AxisVector d2{};
     AxisVector d3{};
+    std::array<Vec3, 3> tool{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
 /// Limits of the path and of every axis.
@@ -40,6 +42,7 @@ class PathPlaces {
     PathPlace on_arc(const Move& move, const PathShape& shape, double s) const;
     PathPlace on_spline(const Move& move, double s);
     PathPlace on_table(const Move& move, double s);
+    PathPlace on_joints(const JointPath& of, const PathShape& shape, double s) const;
 
     const Program& program_;
     const Geometry& geometry_;

@@ -124,13 +124,13 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
         const double a = std::max(std::abs(from.a), std::abs(to.a));
         if (options.effort == Effort::kOptimum) {
             const PathShape& shape = stretch.move->shape;
-            const double across = v * v * shape.curvature;
-            each_limit(
-                shape, machine, [&](double rate, double bend, double acceleration, double jerk) {
-                    const double most =
-                        std::min(rate * a + bend * across, kAccelerationShare * acceleration);
-                    of.keep({rate * v, most, kJerkShare * jerk}, acceleration, jerk);
-                });
+            each_limit(shape, machine, [&](const LimitLoad& limit) {
+                const double across = v * v * limit.curvature;
+                const double most = std::min(limit.rate * a + limit.swing * across,
+                                             kAccelerationShare * limit.acceleration);
+                of.keep({limit.rate * v, most, kJerkShare * limit.jerk}, limit.acceleration,
+                        limit.jerk);
+            });
             return;
         }
         // Pieces end on the grid, so a ramp may reach a little into the next move: there it has the
@@ -167,9 +167,11 @@ void set_close_hold_bounds(const Program& program, const Machine& machine,
 
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
                      Plan& plan) {
-    // The path takes no more than its axes do together, and X Y Z no more than the path.
+    // The path takes no more than its axes do together, and X Y Z no more than the path; but joints
+    // may take whatever their own limits are.
     const PathLimits path{machine.velocity, machine.acceleration, machine.jerk};
     PathLimits together{0, 0, 0};
+    const bool joints = !is_trivial(machine.kinematics);
     HoldRoom of;
     const auto keep = [&](const PathLimits& own, const PathLimits& most) {
         of.keep({std::min({fastest, own.velocity, most.velocity}),
@@ -180,12 +182,17 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, double 
     for (int i = 0; i < 3 + plan.aux_axes; ++i) {
         const AxisLimits& axis = machine.axis[static_cast<std::size_t>(i)];
         const PathLimits own{axis.velocity, axis.acceleration, axis.jerk};
-        keep(own, i < 3 ? path : own);
+        if (joints) {
+            of.keep({own.velocity, kAccelerationShare * own.acceleration, kJerkShare * own.jerk},
+                    own.acceleration, own.jerk);
+        } else {
+            keep(own, i < 3 ? path : own);
+        }
         together = {std::hypot(together.velocity, own.velocity),
                     std::hypot(together.acceleration, own.acceleration),
                     std::hypot(together.jerk, own.jerk)};
     }
-    keep(path, together);
+    keep(path, joints ? path : together);
     of.set(options, plan);
 }
 
@@ -232,9 +239,9 @@ void set_segment_feeds(const Program& program, const PlanOptions& options,
         const std::uint64_t reached = ticks + static_cast<std::uint64_t>(time);
         segment.ticks = as_ticks(reached - drawn, segment);
         drawn = reached;
-        segment.feed_start = feed;
+        segment.feed_start = feed / segment.stretch;
         feed = std::max(0.0, piece_state(p, time).v * mm_per_s);
-        segment.feed_end = feed;
+        segment.feed_end = feed / segment.stretch;
     }
     // The rest after the last segment's end belongs to that segment.
     for (; piece < pieces.size(); ++piece) ticks += pieces[piece].ticks;

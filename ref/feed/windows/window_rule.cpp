@@ -58,11 +58,13 @@ double window_reach(const Machine& machine) { return 4 * longest_window(machine)
 
 WindowRule::WindowRule(const Machine& machine, const VelocityCourse& course)
     : course_(course), joint_time_(machine.joint_time), longest_(longest_window(machine)) {
-    limits_.push_back({machine.acceleration, machine.jerk, -1});
+    // The tool's own windows are not looked at where the axes are joints.
+    const bool joints = !is_trivial(machine.kinematics);
+    if (!joints) limits_.push_back({machine.acceleration, machine.jerk, -1});
     for (std::size_t i = 0; i < course.axes(); ++i) {
         const AxisLimits& axis = machine.axis[i];
-        const bool implied =
-            i < 3 && axis.acceleration >= machine.acceleration && axis.jerk >= machine.jerk;
+        const bool implied = !joints && i < 3 && axis.acceleration >= machine.acceleration &&
+                             axis.jerk >= machine.jerk;
         if (!implied) limits_.push_back({axis.acceleration, axis.jerk, static_cast<int>(i)});
     }
     for (const Limit& limit : limits_) {

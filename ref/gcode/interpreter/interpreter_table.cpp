@@ -37,8 +37,9 @@ void Interpreter::table_curve(Block& block, const Place& place) {
     move.table_length = curve_->length * coordinates_.unit();
     curve_.reset();
     try {
-        const Vec3 end =
-            TableCurve(move.table, move.start, move.table_length).position(move.table_length);
+        const TableCurve curve(move.table, move.start, move.table_length);
+        curve.check_path();
+        const Vec3 end = curve.position(move.table_length);
         const double miss = (end - move.end).norm();
         if (!(miss <= kMiss)) {
             place.refuse(fmt::format(

@@ -71,11 +71,22 @@ void take_system(const std::vector<std::string>& texts, Options& options) {
                                                                    : BoardKind::kSystemc;
 }
 
-/// Checks that a core draws tables.
-void check_table_core(const CoreParameters& core) {
-    if (core.build != Build::kEngine) {
-        throw UsageError("--curve: a table is drawn by --build engine");
+/// Returns the table that the core draws: that of joints, where the machine has some; null: none.
+std::shared_ptr<const ref::CurveTable> drawn_table(const Options& options) {
+    const bool joints =
+        !options.machine.empty() && !ref::is_trivial(ref::read_machine(options.machine).kinematics);
+    if (!joints) return options.gcode.table;
+    if (options.gcode.table) {
+        throw UsageError("--curve: the core draws this machine's joints, no other table");
     }
+    return named_table("series");
+}
+
+/// Checks that a core draws tables.
+void check_table_core(const Options& options) {
+    if (options.core.build == Build::kEngine) return;
+    throw UsageError(options.gcode.table ? "--curve: a table is drawn by --build engine"
+                                         : "--machine: joints are drawn by --build engine");
 }
 
 }  // namespace
@@ -95,16 +106,16 @@ const Options& PartOptions::complete() {
     } else if (options.arc_tolerance) {
         throw UsageError("--tolerance is for --fit arcs");
     }
-    const bool table = options.gcode.table != nullptr;
-    if (table && options.open_program) {
+    if (options.gcode.table && options.open_program) {
         throw UsageError("--curve or --interpreter: LinuxCNC's does not know the comment");
     }
+    const std::shared_ptr<const ref::CurveTable> table = drawn_table(options);
     if (table && !core.build && core.core.empty() && core.board.empty()) {
         core.build = Build::kEngine;  // which alone draws tables
     }
     core.apply(options);
-    if (table) check_table_core(options.core);
-    ref::add_table(options.gcode.table, options.core);
+    if (table) check_table_core(options);
+    ref::add_table(table, options.core);
     take_interpolator(options);
     if (!options.needs_rtl() && options.stall_seed) {
         throw UsageError("--stall is for --on rtl and systemc-rtl");

@@ -86,8 +86,8 @@ bool take(const ref::CurveTable& table, ref::CoreParameters core, std::mt19937_6
 
 TEST(TableMutants, AreRefusedWithTheirLineOrTaken) {
     const std::vector<std::string> tables{
-        table("arc.net"),     table("spline.net"),   table("clothoid.net"),   table("quintic.net"),
-        table("ellipse.net"), table("catenary.net"), table("archimedean.net")};
+        table("arc.net"),     table("spline.net"),   table("clothoid.net"),    table("quintic.net"),
+        table("ellipse.net"), table("catenary.net"), table("archimedean.net"), table("series.net")};
     std::mt19937_64 random(11);
     Mutator mutator(tables, {"[k]", "'", ".1", " + ", "/i", "*", "@", "-", "sum(", "order\n",
                              "polished phi\n", "alias Dq phi'\n"});

@@ -111,11 +111,15 @@ TEST(MachineFile, OlderNamesAndFreeFormattingAreRead) {
     EXPECT_EQ(machine.axis[1].velocity, 20);
 }
 
-TEST(MachineFile, JointsOfOtherKinematicsAreNotAxes) {
+TEST(MachineFile, JointsOfOtherKinematicsAreNotTheToolsAxes) {
     const Machine machine = read(
-        "[KINS]\nKINEMATICS = genhexkins\n[TRAJ]\nMAX_LINEAR_VELOCITY = 9\n"
-        "[JOINT_0]\nMAX_VELOCITY = 1\n");
-    EXPECT_EQ(machine.axis[0].velocity, Machine{}.axis[0].velocity);
+        "[KINS]\nKINEMATICS = rosekins\n[TRAJ]\nMAX_LINEAR_VELOCITY = 9\n"
+        "[JOINT_0]\nMAX_VELOCITY = 1\n[JOINT_2]\nMAX_VELOCITY = 3\n[AXIS_X]\nMAX_VELOCITY = 5\n");
+    EXPECT_EQ(machine.axis[0].velocity, 1);
+    EXPECT_EQ(machine.axis[2].velocity, 3);
+    EXPECT_EQ(machine.tool[0].velocity, 5);
+    EXPECT_EQ(machine.of_tool().axis[0].velocity, 5);
+    EXPECT_EQ(machine.of_tool().axis[3].velocity, machine.axis[3].velocity);
 }
 
 TEST(MachineFile, SameLimitTwiceIsHarmlessIfEqual) {
