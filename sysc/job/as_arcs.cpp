@@ -37,7 +37,7 @@ std::optional<FormCost> cost_of(const char* name, const Options& options, ref::S
 }  // namespace
 
 void add_other_forms(Job& job) {
-    if (job.is_smooth()) {
+    if (job.is_smooth() && job.smoothed->moves <= kMostBeside) {
         Options exact = job.options;
         exact.exact_path = true;
         job.exact = cost_of("exact path", exact, ref::SplineForm::kSpline);

@@ -14,6 +14,10 @@ namespace curvecore::sysc {
 
 struct Job;
 
+/// Most moves of a program whose exact path is planned beside the drawn one: the longer ones would
+/// wait for it twice as long as for their own plan.
+constexpr std::size_t kMostBeside = 1000;
+
 struct FormCost {
     std::string form;
     std::size_t moves = 0;
@@ -28,7 +32,8 @@ struct AsArcs {
 };
 
 /// Adds the costs of the forms that the program is not drawn in, for a report: each is planned for
-/// the same core. A form that cannot be planned has no row.
+/// the same core. A form that cannot be planned has no row, nor has the exact path of a program of
+/// more than kMostBeside moves.
 void add_other_forms(Job& job);
 
 }  // namespace curvecore::sysc

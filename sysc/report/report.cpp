@@ -346,6 +346,9 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     }
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.exact) row(job.exact->form, cost_text(*job.exact));
+    if (!job.exact && job.is_smooth() && job.smoothed->moves > kMostBeside) {
+        row("exact path", "not planned for a program of so many moves; --path exact plans it");
+    }
     if (job.as_arcs) {
         const ref::Replaced& replaced = job.as_arcs->replaced;
         const std::optional<double> asked = job.options.arc_tolerance;

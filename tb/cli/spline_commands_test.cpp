@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs with splines between lines and arcs: planned, and run through the RTL.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -145,6 +146,28 @@ TEST_F(SplineCommands, DrawWhatG64Allows) {
     EXPECT_EQ(exact["stops"]["planned"], 3);
     EXPECT_EQ(exact["deviation"]["max_mm"], 0);
     EXPECT_EQ(exact["moves"], 5);
+}
+
+/// The exact path is planned beside a short program alone: that of a long one takes longer than
+/// what is drawn.
+TEST_F(SplineCommands, PlanTheExactPathOfShortPrograms) {
+    for (const int chords : {1000, 1001}) {
+        std::string text = "G21 G64 P0.01 F3000\nG1\n";
+        for (int n = 1; n <= chords; ++n) {
+            text += fmt::format("X{:.3f} Y{:.3f}\n", 0.02 * n, std::sin(0.02 * n));
+        }
+        program_.write("part.ngc", text + "M2\n");
+        const ProgramResult result = program_.run({"plan", "part.ngc", "-o", "out"});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const Json exact = Json::parse(program_.read("out/report.json"))["deviation"]["exact"];
+        if (chords == 1000) {
+            EXPECT_EQ(exact["moves"], 1000);
+        } else {
+            EXPECT_TRUE(exact.is_null());
+        }
+        EXPECT_EQ(result.out.find("so many moves; --path exact") != std::string::npos,
+                  chords > 1000);
+    }
 }
 
 /// A core without splines takes half of the tolerance for arcs.

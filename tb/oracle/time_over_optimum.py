@@ -58,7 +58,7 @@ def machine(limits):
                           f"MAX_JERK = {j}\n" for letter, (v, a, j) in axes)
 
 
-def plan(program, text, effort, folder, holds="branches", limits=Limits()):
+def plan(program, text, effort, folder, holds="branches", limits=Limits(), path="program"):
     """Returns the report of a program's text; all other files are in folder / "out"."""
     file = folder / "path.ngc"
     file.write_text(text)
@@ -66,8 +66,8 @@ def plan(program, text, effort, folder, holds="branches", limits=Limits()):
     if limits != Limits():  # which the built-in machine has
         (folder / "machine.ini").write_text(machine(limits))
         own = ["--machine", folder / "machine.ini"]
-    subprocess.run([program, "plan", file, "--effort", effort, "--holds", holds, "-q",
-                    "-o", folder / "out", *own], check=True)
+    subprocess.run([program, "plan", file, "--effort", effort, "--holds", holds, "--path", path,
+                    "-q", "-o", folder / "out", *own], check=True)
     return json.loads((folder / "out/report.json").read_text())
 
 
