@@ -8,10 +8,12 @@
 #include "ref/feed/pieces/piece_walk.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/moves/move_part.hpp"
+#include "ref/path/smooth_path.hpp"
 #include "tb/bench/claim_table.hpp"
 #include "tb/support/judge/hold_run.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/even_paths.hpp"
+#include "tb/support/programs/random_lines.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
 namespace {
@@ -27,7 +29,9 @@ constexpr std::uint64_t kResumes = 12;   // approximate number of holds that are
 constexpr std::uint64_t kWhile = 50;     // ticks from one of those to the next
 
 constexpr double kSlower[] = {0.8, 0.6};  // overrides
-constexpr int kStarts = 6;                // places from which a program is planned anew
+constexpr double kRates[] = {1, 0.99, 0.9, 0.8, 0.6};
+constexpr std::uint64_t kHolds = 150;  // approximate number of holds at each of these
+constexpr int kStarts = 6;             // places from which a program is planned anew
 
 /// The longest of some holds.
 class Longest {
@@ -138,6 +142,53 @@ Longest starts(const ref::Program& program, const ref::Plan& plan) {
     return longest;
 }
 
+/// Rows of chords of 0.2 mm over a surface.
+ref::Program surface() {
+    tb::ProgramBuilder builder;
+    for (int n = 1; n <= 1500; ++n) {
+        const int row = (n - 1) / 250;
+        const double x = 0.2 * (row % 2 == 0 ? n - 250 * row : 250 * (row + 1) - n);
+        const double y = 0.5 * row;
+        builder.line({x, y, 2 * std::sin(x / 5) * std::cos(y / 4) + 0.6 * std::sin(1.3 * x)}, 100);
+    }
+    ref::Program program = tb::with_tolerance(std::move(builder.program()), 0.01);
+    smooth_path(program, ref::Machine());
+    return program;
+}
+
+ref::Program with_rapids() {
+    tb::ProgramBuilder builder;
+    builder.line({100, 0, 0}, 0);
+    builder.line({100, 60, 0}, 10);
+    builder.line({0, 0, 0}, 0);
+    return builder.program();
+}
+
+/// The longest hold, and the longest way of one, at each of these overrides; and the cost of a
+/// resume.
+void add_rates(Table& table, const char* name, const ref::Program& program) {
+    const ref::Plan plan = make_plan(program, ref::Machine(), {});
+    const auto every = static_cast<std::uint64_t>(plan.duration_s / plan.tick_s) / kHolds + 1;
+    std::vector<std::string> row{name};
+    double most_mm = 0;
+    for (const double rate : kRates) {
+        HoldRun run(plan, ref::Machine());
+        Longest longest;
+        for (std::uint64_t tick = 1; run.active(); ++tick) {
+            run.tick(static_cast<std::int32_t>(std::lround(rate * kOne)));
+            if (tick <= 2 * ref::kStopLead || tick % every != 0 || !run.active()) continue;
+            HoldRun held = run;
+            longest.see(held.stop());
+            const auto way = static_cast<double>(held.s() - run.s());
+            most_mm = std::max(most_mm, way * ref::kQuantum * plan.unit_mm);
+        }
+        row.push_back(longest.text(plan));
+    }
+    row.push_back(fmt::format("{:.1f}", most_mm));
+    row.push_back(starts(program, plan).text(plan));
+    table.rows.push_back(row);
+}
+
 void add_row(Table& table, const std::string& name, const ref::Program& program) {
     const ref::Plan plan = make_plan(program, ref::Machine(), {});
     const Holds holds = hold(plan);
@@ -174,6 +225,17 @@ int main(int argc, char** argv) {
     for (const unsigned seed : {1U, 2U, 3U, 4U}) {
         add_row(table, fmt::format("random curves {}", seed), tb::random_splines(seed, 30));
     }
+    Table rates{"hold_rates",
+                "The longest hold to rest, s, at overrides of 100 to 60 % on the built-in machine; "
+                "the longest way of one; and what a resume costs by a plan from where the axes "
+                "stand, s",
+                {"program", "100 %", "99 %", "90 %", "80 %", "60 %", "way, mm", "resume"},
+                {}};
+    add_rates(rates, "line of 950 mm", tb::fast_line(950));
+    add_rates(rates, "random curves 1", tb::random_splines(1, 30));
+    add_rates(rates, "surface", surface());
+    add_rates(rates, "with G0", with_rapids());
     tb::print(table);
-    return tb::write_tables({table}, output);
+    tb::print(rates);
+    return tb::write_tables({table, rates}, output);
 }

@@ -190,14 +190,15 @@ def main():
         if given.check:
             return check(given.program, folder)
         if given.axes:
-            printed(axes_row(given.program, path, given.axes, GRID, folder)
-                    for path in given.paths)
-            return 0
-        rows = printed(row(given.program, path, feed, GRID, folder)
-                       for feed in FEEDS for path in PATHS)
-        unequal = printed(axes_row(given.program, path, axes, GRID, folder)
-                          for path, axes in UNEQUAL)
-        result = {"rows": rows, "unequal": unequal, "off_on_lines": off_on_lines(Limits(), GRID)}
+            result = {"rows": printed(axes_row(given.program, path, given.axes, GRID, folder)
+                                      for path in given.paths)}
+        else:
+            rows = printed(row(given.program, path, feed, GRID, folder)
+                           for feed in FEEDS for path in PATHS)
+            unequal = printed(axes_row(given.program, path, axes, GRID, folder)
+                              for path, axes in UNEQUAL)
+            result = {"rows": rows, "unequal": unequal,
+                      "off_on_lines": off_on_lines(Limits(), GRID)}
     if given.output:
         Path(given.output).write_text(json.dumps(result, indent=2) + "\n")
     return 0

@@ -33,6 +33,7 @@ class HoldRun {
     }
 
     bool active() const { return run_.active(); }
+    std::uint64_t s() const { return run_.s(); }  // quanta of the path
     sysc::LimitLoads finish() { return run_.finish(); }
 
   private:

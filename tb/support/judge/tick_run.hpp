@@ -19,7 +19,8 @@ class TickRun {
     /// Returns true while pieces are left.
     bool active() const { return next_ == 0 || kernel_.active(); }
 
-    std::size_t begun() const { return next_; }  // pieces
+    std::size_t begun() const { return next_; }      // pieces
+    std::uint64_t s() const { return cursor_.s(); }  // quanta of the path
 
     /// Draws a tick at a rate of time, 2^16 = 1.
     void tick(std::int32_t rate, bool hold = false) {
