@@ -9,6 +9,7 @@ from choose_tables import choose, choose_impossible, parameter_guard
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
 from linuxcnc_table import linuxcnc
+from person_table import person
 from placed_tables import cost_model, hls, networks, parameter_guard_placed, synthesis
 from result_table import Table
 
@@ -117,6 +118,11 @@ TABLES = {
     "planner_threads": Table("Planning by several threads", functools.partial(
         bench_table, "planner", "planner_threads"), BENCH),
     "holds": bench("Longest holds", "hold_tables", "holds"),
+    "person": Table(
+        "A person at the machine: asked and measured", person, "scripts/person.sh",
+        "\"Words of a plan\" are what every build draws, bit for bit; the RTL of each is held to "
+        "them by tests. At the pins the wire and the host are in the times, at the built-in "
+        "machine's limits. Rows of `placed` boards are placements, of the tree that is named."),
     "oracle": Table(
         "Cycle times over the shortest possible", oracle, "scripts/oracle.sh",
         "[`tb/oracle`](../../tb/oracle) finds the shortest time by collocation and an "
