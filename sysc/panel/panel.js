@@ -42,10 +42,10 @@ function rows(parent, all, tags) {
 }
 
 function showStatus() {
-  const ended = ENDS.has(status.state) || status.state === "off";
-  const badge = byId("state");
-  badge.textContent = open ? status.state : status.state + " - no connection";
-  badge.style.background = !open || status.faults ? "var(--bad)" : status.state === "runs" || status.state === "drawn" ? "var(--good)" : "var(--soft)";
+  const ended = ENDS.has(status.state) || status.state === "off", gone = !open && !ENDS.has(status.state);
+  const badge = byId("state");  // stream ends with its program: then nothing is to be connected
+  badge.textContent = gone ? status.state + " - no connection" : status.state;
+  badge.style.background = gone || status.faults ? "var(--bad)" : status.state === "runs" || status.state === "drawn" ? "var(--good)" : "var(--soft)";
   byId("dro").replaceChildren();
   for (const axis of status.axes) {
     const tr = add(byId("dro"), "tr"), error = axis.following_mm;

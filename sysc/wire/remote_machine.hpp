@@ -27,6 +27,12 @@ struct RemoteBuild {
     int outputs = 0;           // changes of outputs that wait; 0: it has none
     int shaper_places = 0;     // that are kept of an axis; 0: it has no shaper
     CoreParameters core;
+
+    /// Words that ROOM counts the room of: those of a queue, or of the engine's entry to it.
+    int counted_words(int queue_words) const {
+        constexpr int kEntryWords = 128;  // EntryWords of rtl/engine/engine_pkg.sv
+        return core.build == Build::kEngine ? kEntryWords : queue_words;
+    }
 };
 
 /// The drives at a board's pins.

@@ -127,7 +127,7 @@ class Panel(unittest.TestCase):
         self.assertIn("override 50 %", self.until('byId("log").textContent'))
         self.press("stop")
         self.assertEqual(self.host.wait(), 130)
-        self.until('byId("state").textContent === "stopped - no connection"')
+        self.until('!open && byId("state").textContent === "stopped"')
         self.assertTrue(self.browser.get('document.querySelector("[data-wish=hold]").disabled'))
         self.board.send_signal(signal.SIGINT)
         self.board.wait()

@@ -29,7 +29,8 @@ class TerminalTest(unittest.TestCase):
         folder = pathlib.Path(temporary.name)
         self.part = folder / "part.ngc"
         self.part.write_text(PART, encoding="ascii")
-        self.board = Board(str(folder / "board"), "--build", "parallel")
+        build = "engine" if "engine" in self.id() else "parallel"
+        self.board = Board(str(folder / "board"), "--build", build)
         self.addCleanup(self.board.kill)
         self.terminal, inside = pty.openpty()
         self.addCleanup(os.close, self.terminal)
@@ -68,7 +69,7 @@ class TerminalTest(unittest.TestCase):
         self.key("+")
         self.until(r"override 90 %  time 90 % ")
         self.key("s")
-        stopped = self.until(r"stopped (\d+\.\d{3}) of ")
+        stopped = self.until(r"stopped (\d+\.\d{3}) of \d+\.\d{3} mm planned so far, ")
         self.assertGreater(float(stopped[1]), float(held[1]))
         self.assertEqual(self.host.wait(), 130)
         # No line is broken, and nothing of the panel stands at the end.
@@ -76,6 +77,14 @@ class TerminalTest(unittest.TestCase):
         self.assertLessEqual(max(map(len, re.split(r"[\r\n]+", text.partition("stopped")[0]))),
                              COLUMNS)
         self.assertNotIn("hold", self.seen.rpartition("\033[J")[2])
+
+    def test_shows_what_waits_at_the_entry_of_an_engine(self):
+        self.until(r"\nruns\n")
+        self.key("h")
+        # The entry is empty: behind it the queue has room for all segments of this program.
+        self.until(r"segments 0 of 128  profile \d+ of 128 (.|\n)*\nheld\n")
+        self.key("s")
+        self.assertEqual(self.host.wait(), 130)
 
     def test_a_page_that_cannot_be_turns_nothing_on(self):
         self.key("s")  # of the program that setUp began

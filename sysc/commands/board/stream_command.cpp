@@ -169,10 +169,12 @@ int stream_command(StreamOptions& asked) {
             fmt::print(stderr, "the board stopped: {}\n", fault_names(stream.faults()));
         if (!options.quiet) {
             fmt::print(
-                "{} {:.3f} of {:.3f} mm, steps {}, {} frames, {} repeated, round trip {:.2f} ms\n",
+                "{} {:.3f} of {:.3f} mm{}, steps {}, {} frames, {} repeated, round trip {:.2f} "
+                "ms\n",
                 end, static_cast<double>(stream.path()) / ref::kQuantaPerUnit * options.unit_mm,
                 static_cast<double>(stream.planned().path) / ref::kQuantaPerUnit * options.unit_mm,
-                fmt::join(steps, " "), machine.figures().frames, machine.figures().repeated,
+                stream.planned().all ? "" : " planned so far", fmt::join(steps, " "),
+                machine.figures().frames, machine.figures().repeated,
                 1e3 * machine.figures().round_trip_s);
             for (const Following& axis : following) {
                 fmt::print("{}: worst following error {:.4f} mm\n",

@@ -144,9 +144,10 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
     const double raised = forecast_ ? 1 : stream.words().raised();
     status.left_s = left_s * raised * 100 / status.override_percent;
     status.line = place.line;
-    status.queues = {
-        {"segments", build.segment_queue_words - now.segment_room, build.segment_queue_words},
-        {"profile", build.profile_queue_words - now.profile_room, build.profile_queue_words}};
+    const int segments = build.counted_words(build.segment_queue_words);
+    const int profile = build.counted_words(build.profile_queue_words);
+    status.queues = {{"segments", segments - now.segment_room, segments},
+                     {"profile", profile - now.profile_room, profile}};
     if (build.outputs > 0) {
         const std::uint32_t word = machine.outputs();
         status.outputs = {CURVECORE_FIELD(word, OUTPUTS_BITS),
