@@ -68,8 +68,10 @@ function showStatus() {
   }
   byId("percent").textContent = status.override_percent;
   if (document.activeElement !== byId("rate")) byId("rate").value = status.override_percent;
-  for (const e of document.querySelectorAll("button, #rate")) e.disabled = !control || !open || ended;
+  for (const e of document.querySelectorAll("[data-wish], #rate")) e.disabled = !control || !open || ended;
   byId("may").textContent = control ? "" : "read only: the address that stream printed, with what is behind #, may ask";
+  byId("rest").hidden = !status.rest;
+  byId("options").textContent = status.rest || "";
   fetchPoints();
   draw();
 }
@@ -173,7 +175,14 @@ function connect() {
   };
 }
 
-for (const button of document.querySelectorAll("button")) button.onclick = () => ask(button.dataset.wish);
+byId("copy").onclick = async () => {
+  getSelection().selectAllChildren(byId("options"));
+  try {
+    await navigator.clipboard.writeText(status.rest);
+    byId("copy").textContent = "Copied";
+  } catch (refused) { /* It is selected, at least. */ }
+};
+for (const button of document.querySelectorAll("[data-wish]")) button.onclick = () => ask(button.dataset.wish);
 byId("rate").oninput = () => { byId("percent").textContent = byId("rate").value; ask("override " + byId("rate").value); };
 const space = byId("space");
 space.onpointermove = (event) => {

@@ -97,6 +97,7 @@ std::string panel_json(const PanelStatus& status) {
         json["outputs"] = {{"bits", status.outputs->bits}, {"power", status.outputs->power}};
     }
     json["from"] = status.from;
+    if (!status.rest.empty()) json["rest"] = status.rest;
     json["faults"] = status.faults;
     return json.dump();
 }

@@ -37,6 +37,7 @@ struct PanelAxis {
 /// | left_s            | s      | to the end of what is planned, at that override          |
 /// | line              |        | of the program                                           |
 /// | from              |        | length: where a rest was planned anew, for --rest        |
+/// | rest              |        | of a board that is lost: options that draw what is left  |
 /// | faults            |        | empty: none                                              |
 struct PanelStatus {
     std::string state;
@@ -52,6 +53,7 @@ struct PanelStatus {
     std::vector<PanelQueue> queues;
     std::optional<PanelOutputs> outputs;
     std::string from;
+    std::string rest;
     std::string faults;
 };
 

@@ -94,7 +94,10 @@ class Panel(unittest.TestCase):
 
     def press(self, wish):
         self.until(f"!document.querySelector('[data-wish={wish}]').disabled")
-        x, y = self.browser.middle(f"[data-wish={wish}]")
+        self.click(f"[data-wish={wish}]")
+
+    def click(self, what):
+        x, y = self.browser.middle(what)
         for kind in ("mousePressed", "mouseReleased"):
             self.browser.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
                               clickCount=1)
@@ -168,6 +171,19 @@ class Panel(unittest.TestCase):
         self.press("estop")
         self.assertEqual(self.host.wait(), 1)
         self.until('status.state === "fault" && status.faults !== ""')
+
+    def test_gives_what_draws_the_rest_on_a_board_that_is_lost(self):
+        self.runs()
+        self.assertTrue(self.browser.get('byId("rest").hidden'))
+        self.board.kill()
+        self.assertEqual(self.host.wait(), 1)
+        self.until('status.state === "lost" && !byId("rest").hidden')
+        self.browser.get(
+            "navigator.clipboard.writeText = async (text) => { window.copied = text; }; 0")
+        self.click("#copy")
+        self.assertEqual(self.until("window.copied"), "--rest")
+        self.assertEqual(self.browser.get("getSelection().toString()"), "--rest")
+        self.picture("lost")
 
     def test_fits_a_phone(self):
         self.browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,

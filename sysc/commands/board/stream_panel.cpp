@@ -94,13 +94,14 @@ void StreamPanel::end(const WireStream& stream, const std::string& how) {
 std::string StreamPanel::lose(const WireStream& stream) {
     const double path_mm =
         static_cast<double>(stream.path()) * parts_.options.unit_mm * ref::kQuantum;
-    const std::string from = stream.begin() == 0 ? "" : " --from " + from_text(stream);
+    const std::string rest = "--rest" + (stream.begin() == 0 ? "" : " --from " + from_text(stream));
     std::string text = fmt::format(
         "it was {:.3f} mm along the path, line {}; a board that is still on holds there, and draws "
-        "the rest with stream --rest{}",
-        path_mm, stream.words().path().at(stream.path()).line, from);
+        "the rest with stream {}",
+        path_mm, stream.words().path().at(stream.path()).line, rest);
     if (page_) {
         last_.state = "lost";
+        last_.rest = rest;
         last_.faults = text;
         page_->show("status", panel_json(last_));
     }
