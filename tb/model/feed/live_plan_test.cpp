@@ -13,6 +13,7 @@
 #include "sysc/job/job_stream.hpp"
 #include "sysc/panel/planned_path.hpp"
 #include "tb/support/judge/hold_run.hpp"
+#include "tb/support/programs/live_programs.hpp"
 #include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb {
@@ -25,36 +26,6 @@ struct Case {
 };
 
 std::string one_line() { return "G1 X400\n"; }
-
-std::string surface() {
-    std::string text;
-    double x = 0;
-    double way = 0.2;
-    for (int n = 0; n < 2500; ++n) {
-        x += way;
-        const double y = 0.5 * (n / 250);
-        if (n % 250 == 249) way = -way;
-        text += fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}\n", x, y, std::sin(x / 5) * std::cos(y));
-    }
-    return text;
-}
-
-std::string corners() {
-    std::mt19937 random(3);
-    std::string text;
-    for (int n = 0; n < 120; ++n) {
-        text +=
-            fmt::format("{} X{} Y{}\n", n % 20 == 7 ? "G0" : "G1", random() % 60, random() % 60);
-    }
-    return text;
-}
-
-std::string arcs() {
-    std::string text;
-    for (int n = 0; n < 12; ++n)
-        text += fmt::format("G2 X{} Y0 I15 J0\nG3 X{} I10\n", 30 * n, 30 * n);
-    return text;
-}
 
 sysc::Options live_options(const std::string& text) {
     std::istringstream stream(text);
