@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Measures what a person at the machine waits for: holds, resumes, overrides, words, the planner's
 # time beside that of tree 70c751d, which is built in build/before when the clone has it.  Writes
-# scripts/results/person.md; a quarter of an hour.
+# scripts/results/person.md; ten minutes.
 set -euo pipefail
 case ${1:-} in
   "") ;;
@@ -19,7 +19,8 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)" --target curvecore axis_tables hold_tables plan_cost
+cmake --build --preset release -j "$(nproc)" --target curvecore axis_tables hold_tables \
+  override_tables plan_cost
 figures=$PWD/build/figures
 mkdir -p "$figures"
 before=()
@@ -35,7 +36,7 @@ if git cat-file -e 70c751d^{commit} 2>/dev/null; then
   )
   before=(--before "$PWD/build/before/build/release/tb/bench/plan_cost")
 fi
-for bench in axis_tables hold_tables; do
+for bench in axis_tables hold_tables override_tables; do
   "build/release/tb/bench/$bench" -o "$figures/$bench.json"
 done
 python3 scripts/person_plans.py "${before[@]}"

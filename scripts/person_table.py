@@ -55,6 +55,14 @@ def holds(tables, boards):
             yield at_most(what, most, found[name], " s", where, by)
 
 
+def overrides(random):
+    one = random["tables"]["overrides"]
+    value, name = worst(one["header"], one["rows"], "worst share")
+    moments = sum(int(row[one["header"].index("moments")]) for row in one["rows"])
+    yield at_most(f"share of a limit over any window, overrides at {moments:,} random moments: "
+                  f"{name}", 1, value, "", "words of live plans", "`override_tables`")
+
+
 def words(plans):
     by = "`person_plans`"
     for name, (what, most) in WORDS.items():
@@ -118,12 +126,13 @@ def boards_placed():
 
 def person():
     data = [load(f"figures/{name}.json") for name in
-            ("hold_tables", "person_boards", "person_plans", "slow_axis", "axis_tables")]
+            ("hold_tables", "person_boards", "override_tables", "person_plans", "slow_axis",
+             "axis_tables")]
     if None in data:
         return None
-    tables, boards, plans, slow, jerks = data
-    rows = [*holds(tables, boards), *words(plans), *axes(slow, jerks), *planning(plans),
-            *boards_placed()]
+    tables, boards, random, plans, slow, jerks = data
+    rows = [*holds(tables, boards), *overrides(random), *words(plans), *axes(slow, jerks),
+            *planning(plans), *boards_placed()]
     reached = [row[3] for row in rows]
     return (f"{reached.count('yes')} of {len(rows) - reached.count('-')} rows are reached, "
             f"{reached.count('no')} are not:\n\n{table(HEAD, rows)}")
