@@ -106,6 +106,12 @@ std::string tool_text(const Job& job, const ToolResult& tool) {
                        shaper_of(job), without, 1e3 * tool.delay_s, limits_text(job, tool.drives));
 }
 
+nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios) {
+    return {{"velocity", ratios.velocity},
+            {"acceleration", ratios.acceleration},
+            {"jerk", ratios.jerk}};
+}
+
 nlohmann::ordered_json joints_json(const Job& job, const CheckResult& check) {
     return {{"kinematics", ref::name_of(job.machine.kinematics)},
             {"tool_off_mm", check.tool_off},

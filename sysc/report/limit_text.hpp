@@ -28,6 +28,9 @@ nlohmann::ordered_json tool_json(const Job& job, const ToolResult& tool);
 /// The same in one line.
 std::string tool_text(const Job& job, const ToolResult& tool);
 
+/// Planned ratios to the limits.
+nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios);
+
 /// Distance of the tool from its path, of a machine with joints, before rounding.
 nlohmann::ordered_json joints_json(const Job& job, const CheckResult& check);
 std::string joints_text(const Job& job, const CheckResult& check);

@@ -33,12 +33,6 @@ nlohmann::ordered_json errors_json(const Job& job,
     return json;
 }
 
-nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios) {
-    return {{"velocity", ratios.velocity},
-            {"acceleration", ratios.acceleration},
-            {"jerk", ratios.jerk}};
-}
-
 nlohmann::ordered_json hold_json(const DrawnPlan& plan) {
     const double longest = static_cast<double>(plan.longest_stop) * plan.tick_s;
     return {{"branches", plan.branches},
