@@ -178,6 +178,7 @@ int join_command(JoinOptions& asked) {
         throw UsageError("join wants two programs, A and B, or --load FILE.json");
     }
     const ref::Machine machine = machine_of(options);
+    refuse_joints(machine, "join");
     const Program a = working_path(file.a, true, options, machine);
     const Program b = working_path(file.b, false, options, machine);
     check_ends(a, b);

@@ -50,6 +50,7 @@ bool Homing::drive(int axis, double way_mm, double speed, Until until) {
     options.program = std::make_shared<const ref::HeldProgram>(
         ref::HeldProgram{line(axis, way_mm, speed), {}, {}});
     ref::Machine machine = machine_of(options);
+    machine.kinematics = ref::TrivialKinematics();  // joints are driven as they are
     for (ref::AxisLimits& limits : machine.axis) {
         limits.min = -ref::kUnlimitedTravel;
         limits.max = ref::kUnlimitedTravel;

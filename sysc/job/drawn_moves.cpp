@@ -10,6 +10,7 @@
 #include "ref/moves/move_part.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -55,6 +56,8 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
     plan_options_.advise = false;
     plan_options_.cuts = std::make_shared<ref::KnownCuts>();
     if (!ref::is_trivial(machine.kinematics)) {
+        const bool series = options.core.table && options.core.table->name == "series";
+        if (!series) refuse_joints(machine, "this core");
         joints_.emplace([this](ref::Move& move) { return next_drawn(move); }, program_.file(),
                         machine, options.plan_options());
     }

@@ -8,6 +8,7 @@
 #include "ref/geometry/segment_batches.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/job/job_stream.hpp"
 #include "sysc/job/made_for.hpp"
 
@@ -71,6 +72,14 @@ ref::Machine machine_of(const Options& options) {
         for (ref::AxisLimits& axis : machine.axis) axis.rotary = false;
     }
     return machine;
+}
+
+void refuse_joints(const ref::Machine& machine, const char* who) {
+    if (ref::is_trivial(machine.kinematics)) return;
+    throw UsageError(
+        fmt::format("--machine: {} has {}, and {} draws no joints: run, plan and words "
+                    "do, with the engine that they make",
+                    machine.name, ref::name_of(machine.kinematics), who));
 }
 
 Job read_job(const Options& options) {

@@ -52,6 +52,9 @@ ProfileWriter profile_writer(const Job& job);
 /// Reads the machine that the options name, or the built-in one. @throws ref::InputError
 ref::Machine machine_of(const Options& options);
 
+/// @throws UsageError: X Y Z are joints of this machine, which `who` does not draw
+void refuse_joints(const ref::Machine& machine, const char* who);
+
 /// Reads program and machine, for commands that draw moves themselves; the core gets the program's
 /// auxiliary axes, and splines if the program has them, unless --set says otherwise.
 /// @throws ref::InputError, also for splines where --set excludes them

@@ -87,6 +87,22 @@ TEST(JointsRefusal, NamesWhatThereIsNot) {
               std::string::npos);
     EXPECT_NE(refusal({"--machine", machine("scara")}).find("part.ngc:2: error: joint 1 = 161.3"),
               std::string::npos);
+    for (const char* command : {"compare", "choose", "join"}) {
+        Arguments all{command, "--machine", delta, "-o", "out"};
+        if (command == std::string("choose")) {
+            all.insert(all.end(), {"--error", "1um", "--radius", "1mm", "--feed", "1m/min",
+                                   "--device", "up5k"});
+        } else {
+            all.emplace_back("part.ngc");
+            if (command == std::string("join")) all.emplace_back("part.ngc");
+        }
+        const ProgramResult result = program.run(all);
+        EXPECT_EQ(result.status, 2) << command;
+        EXPECT_NE(result.err.find(std::string("--machine: delta.ini has lineardeltakins, and ") +
+                                  command + " draws no joints"),
+                  std::string::npos)
+            << result.err;
+    }
     program.write("robot.ini", "[KINS]\nKINEMATICS = pumakins\n[TRAJ]\n");
     EXPECT_NE(refusal({"--machine", "robot.ini"})
                   .find("robot.ini:2: error: KINEMATICS = pumakins: one of trivkins, corexykins"),

@@ -95,6 +95,7 @@ int stream_command(StreamOptions& asked) {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
         take_board(build, options);
+        refuse_joints(machine_of(options), "a board");
         Drives drives = drives_of(wire, build.axes);
         shape(machine_of(options), build, drives);
         const InterruptGuard guard;

@@ -15,6 +15,7 @@
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/widths/commands.hpp"
 #include "sysc/core/board_file.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -62,7 +63,10 @@ void complete(ChooseOptions& options) {
     if (requirement.travel_mm == 0) {
         requirement.travel_mm = std::max(requirement.radius_mm, requirement.length_mm);
     }
-    if (!options.machine.empty()) requirement.machine = ref::read_machine(options.machine);
+    if (!options.machine.empty()) {
+        requirement.machine = ref::read_machine(options.machine);
+        refuse_joints(requirement.machine, "choose");
+    }
     if (!clock_is_known(*requirement.device)) {
         if (!requirement.clock_hz) throw UsageError(clock_unknown(*requirement.device));
         if (options.confirm) {

@@ -92,6 +92,7 @@ int compare_command(CompareChoice& asked) {
         job.program = built_in_curves(options.curves);
         job.machine = unlimited_machine();
     } else {
+        refuse_joints(machine_of(options.common), "compare");
         job = read_job(options.common);
     }
     check_ticked(job.program, options);
