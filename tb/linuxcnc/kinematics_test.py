@@ -70,7 +70,7 @@ def drawn_joints(program, machine, points, folder):
     part = folder / "part.ngc"
     part.write_text(program_of(points))
     subprocess.run([program, "run", part, "--machine", machine, "--on", "kernel", "--path",
-                    "exact", "-q", "-o", folder / "out"], check=True)
+                    "exact", "--sample-period", "500us", "-q", "-o", folder / "out"], check=True)
     lines = (line for line in open(folder / "out/samples.csv") if not line.startswith("#"))
     for row in csv.DictReader(lines):
         yield [float(row[axis]) * UNIT if axis in row else 0.0 for axis in "xyzabc"]
