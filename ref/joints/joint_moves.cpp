@@ -58,12 +58,14 @@ bool JointMoves::next(Move& piece) {
         length_ = move_.length();
         done_ = 0;
         check_travel();
+        check_letters();
+        if (!last_) begin();
         if (length_ > kNoLength) break;
         length_ = 0;
         // A move without a way: its stop is asked for where the joints are.
         piece = move_;
         piece.kind = Move::Kind::kLine;
-        piece.start = piece.end = last_ ? *last_ : joints_at(0);
+        piece.start = piece.end = *last_;
         return true;
     }
     const Reach reach = longest_from(done_);
@@ -86,6 +88,43 @@ void JointMoves::check_travel() const {
     if (!beyond.empty()) refuse(beyond);
 }
 
+/// Sets the joints that the program begins with: home, if it begins there.
+void JointMoves::begin() {
+    constexpr double kSame = 1e-6;  // mm, degrees
+    const auto [x, y, z] = tool_at(move_, length_, 0).xyz;
+    if (tool_.home && (Vec3(x, y, z) - *tool_.home).norm() < kSame) last_ = machine_.home;
+    const Vec3 joints = joints_at(0);
+    if (!joints.allFinite()) out_of_reach(0);
+    if (last_ && (joints - *last_).norm() > kSame) {
+        refuse(fmt::format(
+            "{}: HOME of the joints is {:.6g} {:.6g} {:.6g}, and the kinematics put "
+            "its tool there by {:.6g} {:.6g} {:.6g}",
+            machine_.name, (*last_)[0], (*last_)[1], (*last_)[2], joints[0], joints[1], joints[2]));
+    }
+    last_ = joints;
+}
+
+/// Checks that each letter that moves is one that the kinematics have as a joint.
+void JointMoves::check_letters() const {
+    const std::string_view undriven =
+        std::visit([](const auto& machine) { return machine.kUndriven; }, machine_.kinematics);
+    for (std::size_t i = 0; i < kAuxAxes; ++i) {
+        const char letter = kAxisLetters[3 + i];
+        if (move_.aux_start[i] == move_.aux_end[i]) continue;
+        if (undriven.find(letter) == std::string_view::npos) continue;
+        refuse(fmt::format("{}: {} has no joint for it", letter, name_of(machine_.kinematics)));
+    }
+}
+
+void JointMoves::out_of_reach(double s) const {
+    const auto [x, y, z] = tool_at(move_, length_, s).xyz;
+    refuse(fmt::format("the joints of {} ({}) do not reach X{:.4f} Y{:.4f} Z{:.4f}{}",
+                       machine_.name, name_of(machine_.kinematics), x, y, z,
+                       last_ || machine_.home ? ""
+                                              : ", where the program begins without HOME in "
+                                                "[JOINT_0] .. [JOINT_2]"));
+}
+
 /// Lets the joints that turn go on from where they are.
 void JointMoves::go_on(Vec3& joints) const {
     const std::array<bool, 3> turns = turning(machine_.kinematics);
@@ -104,16 +143,16 @@ Vec3 JointMoves::joints_at(double s) const {
 
 JointMoves::Reach JointMoves::longest_from(double s) const {
     Reach reach;
-    reach.joints = joints_of(machine_.kinematics, tool_series(move_, length_, s));
-    reach.series = coefficients(reach.joints);
-    if (!reach.series.c.leftCols<1>().allFinite()) {
-        const auto [x, y, z] = tool_at(move_, length_, s).xyz;
-        refuse(fmt::format("the joints of {} ({}) do not reach X{:.4f} Y{:.4f} Z{:.4f}{}",
-                           machine_.name, name_of(machine_.kinematics), x, y, z,
-                           last_ || machine_.home ? ""
-                                                  : ", where the program begins without HOME in "
-                                                    "[JOINT_0] .. [JOINT_2]"));
+    const ToolPose<PathSeries> tool = tool_series(move_, length_, s);
+    reach.tool = coefficients(tool.xyz);
+    if (!reach.tool.c.allFinite()) {
+        refuse(
+            fmt::format("the tool stands still within this curve, {:.6g} mm along it: joints "
+                        "are drawn of curves that do not",
+                        s));
     }
+    reach.series = coefficients(joints_of(machine_.kinematics, tool));
+    if (!reach.series.c.leftCols<1>().allFinite()) out_of_reach(s);
     check_rates(reach.series, s);
     Vec3 start = reach.series.c.col(0);
     go_on(start);
@@ -128,6 +167,9 @@ JointMoves::Reach JointMoves::longest_from(double s) const {
     while (!keeps(drawn, s, length)) {
         length /= 2;
         if (length < std::min(rest, kShortest)) {
+            const double ahead = s + std::min(rest, kShortest);
+            const ToolPose<PathSeries> there = tool_series(move_, length_, ahead);
+            check_rates(coefficients(joints_of(machine_.kinematics, there)), ahead);
             refuse(
                 fmt::format("a place {:.6g} mm along this move is singular for the machine "
                             "({}): its joints' speeds change without bounds there",
@@ -160,7 +202,7 @@ void JointMoves::check_rates(const VectorSeries<kToolOrders>& series, double s) 
 /// Returns whether what is drawn is near the exact joints at places up to a length, and stays
 /// within its words.
 bool JointMoves::keeps(const VectorSeries<kJointOrders>& drawn, double s, double length) const {
-    if (drawn.most(length, 1).maxCoeff() > kMostWord * stretch_ * 1.05) return false;
+    if (drawn.most(length, 1).maxCoeff() > kMostWord * stretch_) return false;
     for (int n = 2; n <= orders_; ++n) {
         const double word = drawn.c.col(n).cwiseAbs().maxCoeff() * std::pow(2 * length, n - 1);
         if (word > kMostWord * stretch_) return false;
@@ -178,12 +220,12 @@ Move JointMoves::piece_of(const Reach& reach, double length) const {
     const double asked = (move_.to - move_.from) / length_;
     const bool ends = done_ + length >= length_;
     piece.kind = Move::Kind::kJoints;
-    piece.start = last_ ? *last_ : Vec3(reach.series.c.col(0));
+    piece.start = *last_;
     piece.end = joints_at(to);
     piece.joints.stretch = stretch_;
     piece.joints.length = length * stretch_;
     piece.joints.joints = first_orders<kJointOrders>(reach.series, orders_).stretched(stretch_);
-    piece.joints.tool = coefficients(tool_series(move_, length_, done_).xyz).stretched(stretch_);
+    piece.joints.tool = reach.tool.stretched(stretch_);
     piece.feed *= stretch_;
     piece.from = move_.from + asked * done_;
     if (!ends) piece.to = move_.from + asked * to;

@@ -21,7 +21,7 @@ constexpr double kWordShare = 0.375;
 /// a step of the core. Angles go on from move to move: they count turns.
 class JointMoves {
   public:
-    /// @param machine, options outlive it
+    /// @param machine outlives it
     JointMoves(MoveSource source, std::string file, const Machine& machine,
                const PlanOptions& options);
 
@@ -32,8 +32,8 @@ class JointMoves {
 
   private:
     struct Reach {
-        Joints<PathSeries> joints;
-        VectorSeries<kToolOrders> series;
+        VectorSeries<kToolOrders> series;  // of the joints
+        VectorSeries<kToolOrders> tool;
         double length;
     };
 
@@ -42,8 +42,11 @@ class JointMoves {
     void go_on(Vec3& joints) const;
     Vec3 joints_at(double s) const;
     Move piece_of(const Reach& reach, double length) const;
+    [[noreturn]] void out_of_reach(double s) const;
     [[noreturn]] void refuse(const std::string& reason) const;
     void check_travel() const;
+    void begin();
+    void check_letters() const;
     void check_rates(const VectorSeries<kToolOrders>& series, double s) const;
 
     MoveSource source_;

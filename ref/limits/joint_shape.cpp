@@ -82,8 +82,8 @@ class JointStretcher {
         const Vec3 across = tool_.derivative(from, 3) + second.squaredNorm() / square * first;
         const double fourth = tool_.shifted(from).most(to - from, 4).norm();
         const double bend = most[1].norm();
-        const double gain =
-            fourth + (2 * bend * most[2].norm() + bend * bend * bend) / std::sqrt(square);
+        const double rate = std::sqrt(square);
+        const double gain = fourth + (2 * bend * most[2].norm() + bend * bend * bend / rate) / rate;
         return across.norm() + gain * (to - from);
     }
 

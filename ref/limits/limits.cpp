@@ -185,7 +185,8 @@ double joint_velocity(const PathShape& before, const PathShape& after, const Mac
     };
     const PathJoint path = path_joint(before, after);
     const double turn = std::sqrt(path.turn.squaredNorm() + (still(before) ? aux_turn : 0));
-    if (turn > kSmallTurn) return 0;
+    const double length = before.tool && after.tool ? before.tool->rate : 1;  // of r'
+    if (turn > kSmallTurn * length) return 0;
     if (turn > 0) v = std::min(v, machine.acceleration * machine.joint_time / turn);
     const double change = path.bend.norm();
     if (change > 0) v = std::min(v, std::sqrt(machine.jerk * machine.joint_time / change));

@@ -57,13 +57,17 @@ inline void include_table(const Move& move, AxisRange& range) {
 inline void include_joints(const JointPath& of, AxisRange& range) {
     constexpr int kPlaces = 16;
     const double gap = of.length / kPlaces;
-    const Vec3 beyond = of.joints.most(of.length, 2) * (gap * gap / 8);
-    for (int i = 0; i <= kPlaces; ++i) {
-        const Vec3 at = of.joints.at(gap * i);
+    const Vec3 bend = of.joints.most(of.length, 2);
+    for (int i = 0; i < kPlaces; ++i) {
+        const Vec3 from = of.joints.at(gap * i);
+        const Vec3 to = of.joints.at(gap * (i + 1));
+        const Vec3 slope = of.joints.derivative(gap * (i + 0.5), 1);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto row = static_cast<Eigen::Index>(axis);
-            range.low[axis] = std::min(range.low[axis], at[row] - beyond[row]);
-            range.high[axis] = std::max(range.high[axis], at[row] + beyond[row]);
+            const bool turns = std::abs(slope[row]) <= bend[row] * gap / 2;
+            const double beyond = turns ? bend[row] * gap * gap / 8 : 0;
+            range.low[axis] = std::min(range.low[axis], std::min(from[row], to[row]) - beyond);
+            range.high[axis] = std::max(range.high[axis], std::max(from[row], to[row]) + beyond);
         }
     }
 }

@@ -65,7 +65,9 @@ double tool_error(const Kinematics& kinematics, const Vec3& joints, const Vec3& 
         const Vec3 step = kStep * Vec3::Unit(i);
         const Vec3 moved =
             tool_of(kinematics, joints + step, abc) - tool_of(kinematics, joints - step, abc);
-        sum += moved.cwiseAbs() / (2 * kStep);
+        const Vec3 turned =
+            tool_of(kinematics, joints, abc + step) - tool_of(kinematics, joints, abc - step);
+        sum += (moved.cwiseAbs() + turned.cwiseAbs()) / (2 * kStep);
     }
     return error * sum.norm();
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,18 +27,24 @@ struct ToolPose {
 template <class Number>
 using Joints = std::array<Number, 3>;
 
-/// A parameter of a machine in its .ini: a length, mm, or a sign.
+/// A parameter of a machine in its .ini. kTurns says which of the joints 0, 1, 2 are angles,
+/// kUndriven which letters have no joint.
 struct KinematicsParameter {
+    enum class Kind { kLength, kOffset, kNumber };  // above 0, any, not in the .ini's unit
+
     std::string_view name;
-    double value;  // without it
-    bool length;   // in the .ini's unit
-    bool above_zero;
+    std::optional<double> value;  // without it; none: it is needed
+    Kind kind;
 };
+constexpr auto kLengthOf = KinematicsParameter::Kind::kLength;
+constexpr auto kOffsetOf = KinematicsParameter::Kind::kOffset;
+constexpr auto kNumberOf = KinematicsParameter::Kind::kNumber;
 
 /// X Y Z are the joints.
 struct TrivialKinematics {
     static constexpr std::string_view kName = "trivkins";
     static constexpr std::array<bool, 3> kTurns{};
+    static constexpr std::string_view kUndriven = "";
     static constexpr std::array<KinematicsParameter, 0> kParameters{};
 
     template <class Number>
@@ -51,6 +58,7 @@ struct TrivialKinematics {
 struct CoreXy {
     static constexpr std::string_view kName = "corexykins";
     static constexpr std::array<bool, 3> kTurns{};
+    static constexpr std::string_view kUndriven = "";
     static constexpr std::array<KinematicsParameter, 0> kParameters{};
 
     template <class Number>
@@ -66,6 +74,7 @@ struct CoreXy {
 struct Rose {
     static constexpr std::string_view kName = "rosekins";
     static constexpr std::array<bool, 3> kTurns{false, false, true};
+    static constexpr std::string_view kUndriven = "ABCUVW";
     static constexpr std::array<KinematicsParameter, 0> kParameters{};
 
     template <class Number>
@@ -85,8 +94,9 @@ struct Rose {
 struct LinearDelta {
     static constexpr std::string_view kName = "lineardeltakins";
     static constexpr std::array<bool, 3> kTurns{};
+    static constexpr std::string_view kUndriven = "";
     static constexpr std::array<KinematicsParameter, 2> kParameters{
-        {{"R", 0, true, true}, {"L", 0, true, true}}};
+        {{"R", {}, kLengthOf}, {"L", {}, kLengthOf}}};
 
     double radius, rod;
 
@@ -117,12 +127,13 @@ struct LinearDelta {
 struct Scara {
     static constexpr std::string_view kName = "scarakins";
     static constexpr std::array<bool, 3> kTurns{true, true, false};
-    static constexpr std::array<KinematicsParameter, 6> kParameters{{{"D1", 0, true, false},
-                                                                     {"D2", 0, true, true},
-                                                                     {"D3", 0, true, false},
-                                                                     {"D4", 0, true, true},
-                                                                     {"D5", 0, true, false},
-                                                                     {"ELBOW", 1, false, false}}};
+    static constexpr std::string_view kUndriven = "C";
+    static constexpr std::array<KinematicsParameter, 6> kParameters{{{"D1", {}, kOffsetOf},
+                                                                     {"D2", {}, kLengthOf},
+                                                                     {"D3", {}, kOffsetOf},
+                                                                     {"D4", {}, kLengthOf},
+                                                                     {"D5", {}, kOffsetOf},
+                                                                     {"ELBOW", 1.0, kNumberOf}}};
 
     double column, inner, rise, outer, tip;  // D1 .. D5
     double elbow;                            // the sign of joint 1
@@ -151,14 +162,15 @@ struct Scara {
 struct TiltingTable {
     static constexpr std::string_view kName = "xyzac-trt-kins";
     static constexpr std::array<bool, 3> kTurns{};
+    static constexpr std::string_view kUndriven = "";
     static constexpr std::array<KinematicsParameter, 7> kParameters{
-        {{"X_ROT_POINT", 0, true, false},
-         {"Y_ROT_POINT", 0, true, false},
-         {"Z_ROT_POINT", 0, true, false},
-         {"Y_OFFSET", 0, true, false},
-         {"Z_OFFSET", 0, true, false},
-         {"TOOL_OFFSET", 0, true, false},
-         {"CONVENTIONAL_DIRECTIONS", 0, false, false}}};
+        {{"X_ROT_POINT", 0.0, kOffsetOf},
+         {"Y_ROT_POINT", 0.0, kOffsetOf},
+         {"Z_ROT_POINT", 0.0, kOffsetOf},
+         {"Y_OFFSET", 0.0, kOffsetOf},
+         {"Z_OFFSET", 0.0, kOffsetOf},
+         {"TOOL_OFFSET", 0.0, kOffsetOf},
+         {"CONVENTIONAL_DIRECTIONS", 0.0, kNumberOf}}};
 
     double x_turn, y_turn, z_turn;  // a point of C's axis
     double y_offset, z_offset;      // from there to A's axis
@@ -204,7 +216,8 @@ std::array<bool, 3> turning(const Kinematics& kinematics);
 /// The place of the tool that joints and A B C, mm and degrees, put it at.
 Vec3 tool_of(const Kinematics& kinematics, const Vec3& joints, const Vec3& abc);
 
-/// Largest distance of the tool, mm, where each joint is off by so much: to the first order.
+/// Largest distance of the tool, mm, where each joint, A, B and C are off by so much: to the first
+/// order.
 double tool_error(const Kinematics& kinematics, const Vec3& joints, const Vec3& abc, double error);
 
 }  // namespace curvecore::ref

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "ref/text/input_error.hpp"
 
@@ -13,7 +15,7 @@ namespace {
 constexpr double kLargestJointRatio = 1000;
 
 /// Modules of LinuxCNC that do no more than name the axes.
-constexpr std::array<std::string_view, 3> kAlsoTrivial{"trivkins", "gentrivkins", "gantrykins"};
+constexpr std::array<std::string_view, 2> kAlsoTrivial{"gentrivkins", "gantrykins"};
 
 std::string first_word(const std::string& text) {
     return text.substr(0, text.find_first_of(" \t"));
@@ -50,6 +52,9 @@ class KinematicsReader {
     template <class Of>
     bool is(const std::string& name, Kinematics& found) const {
         if (name != Of::kName) return false;
+        if (!std::is_same_v<Of, TrivialKinematics>) {
+            check_names<Of>(*ini_.find("KINS", "KINEMATICS"));
+        }
         found = with_parameters<Of>(std::make_index_sequence<Of::kParameters.size()>());
         return true;
     }
@@ -60,13 +65,14 @@ class KinematicsReader {
     }
 
     double parameter(const std::string& of, const KinematicsParameter& asked) const {
+        using Kind = KinematicsParameter::Kind;
         const std::string name(asked.name);
         const std::optional<double> value = ini_.number("KINS", name);
         const int line = ini_.find("KINS", value ? name : "KINEMATICS")->line;
-        if (!value && asked.above_zero) {
+        if (!value && !asked.value) {
             throw InputError(ini_.file(), line, fmt::format("{} needs {} in [KINS]", of, name));
         }
-        if (value && asked.above_zero && !(*value > 0)) {
+        if (value && asked.kind == Kind::kLength && !(*value > 0)) {
             throw InputError(ini_.file(), line,
                              fmt::format("{} = {:g}: a length above 0", name, *value));
         }
@@ -74,7 +80,30 @@ class KinematicsReader {
             throw InputError(ini_.file(), line,
                              fmt::format("ELBOW = {:g}: the sign of joint 1, 1 or -1", *value));
         }
-        return value.value_or(asked.value) * (asked.length ? unit_ : 1);
+        return value ? *value * (asked.kind == Kind::kNumber ? 1 : unit_) : *asked.value;
+    }
+
+    /// Refuses what would make another machine of it.
+    template <class Of>
+    void check_names(const IniEntry& entry) const {
+        if (entry.value.find("sparm") != std::string::npos) {
+            throw InputError(ini_.file(), entry.line,
+                             fmt::format("KINEMATICS = {}: without sparm: the kinematics do not "
+                                         "change within a program here",
+                                         entry.value));
+        }
+        for (const auto& [place, value] : ini_.numbers()) {
+            constexpr std::string_view kSection = "[KINS]";
+            if (place.rfind(kSection, 0) != 0) continue;
+            const std::string name = place.substr(kSection.size());
+            const bool known =
+                name == "JOINTS" || name == "JOINT_RATIO" ||
+                std::any_of(Of::kParameters.begin(), Of::kParameters.end(),
+                            [&](const KinematicsParameter& of) { return of.name == name; });
+            if (known || value == 0) continue;
+            throw InputError(ini_.file(), ini_.find("KINS", name)->line,
+                             fmt::format("{} takes no {} here", Of::kName, name));
+        }
     }
 
     const IniFile& ini_;

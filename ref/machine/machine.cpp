@@ -97,7 +97,7 @@ class MachineReader {
     /// joints'.
     std::vector<std::string> sections_of(int axis, const std::string& letters) const {
         std::vector<std::string> sections;
-        if (!joints()) sections = tool_sections(axis);
+        if (!joints() || axis >= 3) sections = tool_sections(axis);
         for (std::size_t joint = 0; joint < letters.size(); ++joint) {
             const bool bent = joints() && joint < 3;  // X Y Z together make the first three
             if (bent ? static_cast<int>(joint) == axis
@@ -149,11 +149,21 @@ class MachineReader {
         machine_.home = home;
     }
 
-    /// Reads the tool's own axes, where X Y Z of the machine are joints.
+    /// Reads the tool's own axes, where X Y Z of the machine are joints: how far they go.
     void read_tool() {
         for (int axis = 0; axis < 3; ++axis) {
-            read_limits(fmt::format("AXIS_{}", kAxisLetters[axis]), there(tool_sections(axis)),
-                        unit_, machine_.tool[static_cast<std::size_t>(axis)]);
+            const std::string name = fmt::format("AXIS_{}", kAxisLetters[axis]);
+            const std::vector<std::string> sections = there(tool_sections(axis));
+            AxisLimits& limits = machine_.tool[static_cast<std::size_t>(axis)];
+            read_travel(name, sections, unit_, false, limits);
+            const auto of = [&](const char* limit_name, double& field) {
+                const std::optional<double> value = tightest(sections, limit_name, unit_);
+                field = value.value_or(field);
+                if (value)
+                    note(fmt::format("{} {}: not held, [TRAJ] limits the tool", name, limit_name));
+            };
+            of("MAX_VELOCITY", limits.velocity);
+            of("MAX_ACCELERATION", limits.acceleration);
         }
     }
 
@@ -164,7 +174,7 @@ class MachineReader {
         AxisLimits& limits = machine_.axis[axis];
         read_limits(joints() && axis < 3 ? fmt::format("joint {}", axis)
                                          : std::string(1, kAxisLetters[axis]),
-                    sections, angle ? 1 : unit_, limits);
+                    sections, angle ? 1 : unit_, axis >= 3 && axis < 6, limits);
         limits.rotary = axis >= 3 && axis < 6 && is_wrapped(sections);
         if (limits.rotary) {
             limits.min = -kUnlimitedTravel;
@@ -178,18 +188,9 @@ class MachineReader {
 
     /// Reads limits of what a name says; where sections differ, the tighter one holds.
     void read_limits(const std::string& of, const std::vector<std::string>& sections, double unit,
-                     AxisLimits& limits) {
-        const auto tightest = [&](const std::string& name) {
-            std::optional<double> least;
-            for (const std::string& section : sections) {
-                if (const std::optional<double> value = limit(section, name, unit)) {
-                    least = std::min(*value, least.value_or(*value));
-                }
-            }
-            return least;
-        };
+                     bool turns, AxisLimits& limits) {
         const auto take = [&](const char* name, double& field, double otherwise) {
-            const std::optional<double> value = tightest(name);
+            const std::optional<double> value = tightest(sections, name, unit);
             if (!value) {
                 note(fmt::format("{} {}: {:g}", of, name, otherwise));
             }
@@ -198,8 +199,19 @@ class MachineReader {
         take("MAX_VELOCITY", limits.velocity, limits.velocity);
         take("MAX_ACCELERATION", limits.acceleration, limits.acceleration);
         take("MAX_JERK", limits.jerk, limits.acceleration / kJerkTime);
-        any_jerk_ = any_jerk_ || tightest("MAX_JERK");
-        read_travel(of, sections, unit, limits);
+        any_jerk_ = any_jerk_ || tightest(sections, "MAX_JERK", unit);
+        read_travel(of, sections, unit, turns, limits);
+    }
+
+    std::optional<double> tightest(const std::vector<std::string>& sections, const char* name,
+                                   double unit) {
+        std::optional<double> least;
+        for (const std::string& section : sections) {
+            if (const std::optional<double> value = limit(section, name, unit)) {
+                least = std::min(*value, least.value_or(*value));
+            }
+        }
+        return least;
     }
 
     void read_mode(int axis, const std::vector<std::string>& sections) {
@@ -233,10 +245,10 @@ class MachineReader {
     }
 
     void read_travel(const std::string& of, const std::vector<std::string>& sections, double unit,
-                     AxisLimits& limits) {
+                     bool turns, AxisLimits& limits) {
         limits.min = -kUnlimitedTravel;
         limits.max = kUnlimitedTravel;
-        if (is_wrapped(sections)) return;
+        if (turns && is_wrapped(sections)) return;
         for (const std::string& section : sections) {
             const std::optional<double> min = ini_.number(section, "MIN_LIMIT");
             const std::optional<double> max = ini_.number(section, "MAX_LIMIT");
@@ -294,11 +306,12 @@ class MachineReader {
         take("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION", &AxisLimits::acceleration,
              machine_.acceleration);
         const std::optional<double> jerk = limit("TRAJ", "MAX_LINEAR_JERK", unit_);
-        machine_.jerk = jerk.value_or(any_jerk_ ? together(&AxisLimits::jerk)
-                                                : machine_.acceleration / kJerkTime);
+        const bool of_axes = any_jerk_ && !joints();
+        machine_.jerk = jerk.value_or(of_axes ? together(&AxisLimits::jerk)
+                                              : machine_.acceleration / kJerkTime);
         if (!jerk) {
             note(fmt::format("MAX_LINEAR_JERK: {:g}, {}", machine_.jerk,
-                             any_jerk_ ? "from the axes" : "from the acceleration"));
+                             of_axes ? "from the axes" : "from the acceleration"));
         }
         machine_.joint_time = limit("TRAJ", "JOINT_TIME", 1).value_or(machine_.joint_time);
     }

@@ -63,7 +63,7 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
     }
     if (options.exact_path) return;
     const bool arcs = form_of(options) == ref::SplineForm::kArcs;
-    smooth_.emplace([this](ref::Move& move) { return read(move); }, machine_,
+    smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine_,
                     arcs ? kShareBesideArcs : 1,
                     [this](const std::deque<ref::Move>& moves) { return carried(moves); });
 }
@@ -109,18 +109,9 @@ bool DrawnMoves::next_drawn(ref::Move& move) {
     return false;
 }
 
-/// Reads a move; the first begins where the tool is when the joints are at home.
-bool DrawnMoves::read(ref::Move& move) {
-    if (!program_.next(move)) return false;
-    if (!std::exchange(begun_, true) && machine_.home && move.kind == ref::Move::Kind::kLine) {
-        move.start = *machine_.home;
-    }
-    return true;
-}
-
 bool DrawnMoves::give(ref::Move& move) {
     if (ready_.empty()) {
-        if (!(smooth_ ? smooth_->next(move) : read(move))) return false;
+        if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
         if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
             return true;
         }

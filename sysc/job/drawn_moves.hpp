@@ -43,7 +43,6 @@ class DrawnMoves {
     void replace(const ref::Move& spline);
     bool give(ref::Move& move);
     bool next_drawn(ref::Move& move);
-    bool read(ref::Move& move);
 
     ref::ProgramStream program_;
     const ref::Machine machine_;  // the tool's
@@ -57,7 +56,6 @@ class DrawnMoves {
     const double from_;
     double left_out_ = 0;  // mm
     bool given_ = false;
-    bool begun_ = false;
     std::optional<ref::JointMoves> joints_;
 };
 

@@ -71,7 +71,7 @@ void Checker::start() {
     last_curve_ = segment.start;
     meter(ref::exact_point(segment, segment.start, 0), position);
     samples_.row(0, cursor_.index(), 0, position);
-    pictures_.sample(0, cursor_.index(), compare_tool(last_curve_, 0), true);
+    pictures_.sample(0, cursor_.index(), compare_tool(last_curve_, turned(0), 0), true);
 }
 
 void Checker::compare_with_kernel(const Sample& drawn) {
@@ -99,12 +99,14 @@ void Checker::compare_with_curve(const Sample& drawn) {
     const double s = cursor_.local();
     const ref::Vec3 curve = curve_.on(segment).position(s);
     ref::Vec3 point;
+    ref::Vec3 abc = turned(s);
     double worst = 0;
     for (int axis = 0; axis < axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double exact = axis < 3 ? curve[axis] : ref::exact_aux(segment, a - 3, s);
         const double fine = static_cast<double>(drawn.fine[a]) * fine_unit_;
         if (axis < 3) point[axis] = fine;
+        if (axis >= 3 && axis < 6) abc[axis - 3] += fine - exact;
         worst = std::max(worst, std::abs(fine - exact));
         result_.unrounded[a].add(fine - exact);
         result_.rounded[a].add(static_cast<double>(drawn.position[a]) - exact);
@@ -119,7 +121,7 @@ void Checker::compare_with_curve(const Sample& drawn) {
     }
     meter(ref::exact_point(segment, curve, s), drawn.position.data());
     pictures_.error(cursor_.s(), worst, bound);
-    pictures_.sample(cursor_.s(), cursor_.index(), compare_tool(point, s), cursor_.at_end());
+    pictures_.sample(cursor_.s(), cursor_.index(), compare_tool(point, abc, s), cursor_.at_end());
     compare_speed(point, curve);
 }
 
@@ -134,26 +136,28 @@ void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
     rounded_.take(rounded, cursor_.index());
 }
 
-/// Compares the tool of drawn joints with its path, both before rounding; returns its place, units.
-ref::Vec3 Checker::compare_tool(const ref::Vec3& joints, double s) {
+/// A B C of the exact plan, with all their turns, units.
+ref::Vec3 Checker::turned(double s) const {
+    const ref::AxisPoint at = ref::exact_point(cursor_.segment(), ref::Vec3::Zero(), s);
+    return {at[3], at[4], at[5]};
+}
+
+/// Compares the tool of drawn joints and A B C, before rounding and in units, with its path; returns
+/// its place.
+ref::Vec3 Checker::compare_tool(const ref::Vec3& joints, const ref::Vec3& abc, double s) {
     const ref::Kinematics& kinematics = job_.machine.kinematics;
     if (ref::is_trivial(kinematics)) return joints;
     const double unit = job_.plan.unit_mm;
     const ref::Segment& segment = cursor_.segment();
     const ref::Move& move = job_.plan.moves[segment.move];
-    ref::Vec3 abc;
-    for (std::size_t i = 0; i < 3; ++i) {
-        abc[static_cast<Eigen::Index>(i)] =
-            (ref::exact_aux(segment, i, s) + segment.aux_turned[i]) * unit;
-    }
-    const ref::Vec3 tool = ref::tool_of(kinematics, joints * unit, abc);
+    const ref::Vec3 tool = ref::tool_of(kinematics, joints * unit, abc * unit);
     if (move.kind == ref::Move::Kind::kJoints) {
-        const ref::JointPath& path = move.joints;
-        const double off = (tool - path.tool.at(s * unit)).norm();
-        result_.tool_off = std::max(result_.tool_off, off);
-        const double allowed =
-            ref::tool_error(kinematics, joints * unit, abc, segment.bound * unit);
-        result_.tool_of_bound = std::max(result_.tool_of_bound, off / allowed);
+        const double off = (tool - move.joints.tool.at(s * unit)).norm();
+        const double of_bound =
+            off / ref::tool_error(kinematics, joints * unit, abc * unit, segment.bound * unit);
+        // What is not a number stays.
+        if (!(off <= result_.tool_off)) result_.tool_off = off;
+        if (!(of_bound <= result_.tool_of_bound)) result_.tool_of_bound = of_bound;
     }
     return tool / unit;
 }

@@ -35,7 +35,8 @@ class Checker {
     void compare_with_curve(const Sample& drawn);
     void meter(const ref::AxisPoint& exact, const std::int64_t* position);
     KindResult& kind_of(const ref::Segment& segment);
-    ref::Vec3 compare_tool(const ref::Vec3& joints, double s);
+    ref::Vec3 turned(double s) const;
+    ref::Vec3 compare_tool(const ref::Vec3& joints, const ref::Vec3& abc, double s);
     void compare_speed(const ref::Vec3& point, const ref::Vec3& curve);
     bool stops(std::size_t segment) const;
     void compare_landing(const Sample& drawn);

@@ -49,7 +49,8 @@ LimitMeter::LimitMeter(const ref::Machine& machine, double unit_mm, double perio
               static_cast<std::uint64_t>(std::max(
                   1.0, std::floor(windows.front() / (kDense * period_s * samples_per_tick))))),
       step_(static_cast<double>(stride_) * period_s),
-      kinematics_(machine.kinematics) {
+      kinematics_(machine.kinematics),
+      error_mm_(error * unit_mm) {
     std::size_t longest = 0;
     for (const double seconds : windows) {
         loads_.windows.push_back({seconds, {}, {}});
@@ -129,6 +130,11 @@ void LimitMeter::place(const Point& point) {
             ref::tool_of(kinematics_, {now[0], now[1], now[2]}, {now[3], now[4], now[5]});
         if (steps_ == 0) std::fill(tool_.begin(), tool_.end(), tool);
         tool_[steps_ & mask_] = tool;
+        if (error_mm_ > 0) {
+            const double off = ref::tool_error(kinematics_, {now[0], now[1], now[2]},
+                                               {now[3], now[4], now[5]}, error_mm_);
+            gain_ = std::max(gain_, off / (std::sqrt(3.0) * error_mm_));
+        }
         tool_velocity_[steps_ & mask_] = (tool - tool_[(steps_ - 1) & mask_]) / step_;
     }
     for (const Window& window : windows_) measure(window);
@@ -148,7 +154,9 @@ void LimitMeter::measure(const Window& window) {
     WindowLoads& loads = loads_.windows[window.loads];
     const auto keep = [&](std::size_t of, const std::array<double, 3>& size) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const double ratio = size[i] / allowed[of][i];
+            // The path's own rounding is that of the tool.
+            const double more = of == 0 ? (gain_ - 1) * loads.rounding[i] * allowed[of][i] : 0;
+            const double ratio = size[i] / (allowed[of][i] + more);
             if (ratio <= loads.of[of][i]) continue;
             loads.of[of][i] = ratio;
             LimitLoads::Worst& worst = loads_.worst[i];

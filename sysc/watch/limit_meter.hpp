@@ -103,6 +103,8 @@ class LimitMeter {
     std::vector<std::vector<std::array<double, 3>>> allowed_;  // by window, path and axes
     std::vector<Point> place_, velocity_;                      // rings
     ref::Kinematics kinematics_;
+    double error_mm_;
+    double gain_ = 1;  // of an error of the joints to that of the tool, the largest yet
     std::vector<ref::Vec3> tool_, tool_velocity_;  // rings, where the axes are joints
     std::size_t mask_ = 0;
     std::uint64_t steps_ = 0;

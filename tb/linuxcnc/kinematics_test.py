@@ -101,8 +101,9 @@ def worst_off(places, points):
             if ahead > off:
                 break
             line, off = line + 1, ahead
-        worst = max(worst, off)
-    return worst
+        worst = off if not off <= worst else worst  # also what is not a number
+    # All lines are drawn, to the end.
+    return worst if line + 2 == len(points) else float("inf")
 
 
 def main():
@@ -127,12 +128,14 @@ def main():
         off = worst_off((row[:3] for row in rows), lines)
         # A tool is off by what its joints' last digit is worth to it.
         held = off < 10 * UNIT
-        red = True
+        # A joint of the other sign, or a pin that is wrong, is seen.
+        turned = [[row[0], -row[1], *row[2:]] for row in joints]
+        controls = [judged(asked.judge, module, pins, turned)]
         if wrong:
-            others = judged(asked.judge, module, pins + [f"{kins}.{wrong}"], joints)
-            red = worst_off((row[:3] for row in others), lines) > 0.1
+            controls.append(judged(asked.judge, module, pins + [f"{kins}.{wrong}"], joints))
+        red = all(not worst_off((row[:3] for row in others), lines) < 0.1 for others in controls)
         print(f"{name}: {len(rows)} samples, tool off by {off / UNIT:.2f} nm at most"
-              f"{'' if held else ': TOO FAR'}{'' if red else '; a wrong pin was not seen'}")
+              f"{'' if held else ': TOO FAR'}{'' if red else '; a control was not seen'}")
         faults += not (held and red)
     print(f"{len(MACHINES)} machines, {faults} faults")
     return faults > 0

@@ -72,6 +72,8 @@ class Interpreter {
     void set_path_control(int control, Block& block, const Place& place);
     void check_radius(Block& block, const Place& place);
     void set_tool_length(int code, Block& block, const Place& place);
+    /// @throws InputError: the kinematics are made for another length
+    void take_tool(const Point& offset, const Place& place);
     static bool takes_axes(int action);
     void set_offsets(int action, Block& block, const Codes& codes, const Place& place);
     void set_system(Block& block, const Place& place);
@@ -152,6 +154,7 @@ class Interpreter {
     CannedCycles canned_cycles_;
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
+    std::optional<double> kinematic_length_;  // mm
     const CurveTable* table_;
     std::optional<NamedCurve> curve_;  // that waits for its end
     std::optional<Vec3> last_leg_;     // P Q R of a G5 that is still in force, mm

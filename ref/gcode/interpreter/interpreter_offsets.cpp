@@ -67,6 +67,8 @@ void Interpreter::give_shift() {
 
 void Interpreter::begin(const ProgramStart& start) {
     coordinates_.set_inches(start.unit > 1);
+    coordinates_.set_position(start.place);
+    kinematic_length_ = start.tool_length;
     for (const auto& [number, value] : start.parameters) parameters_.set(number, value);
     for (const auto& [name, value] : start.ini_numbers) {
         parameters_.compute(ini_parameter(name), [value = value] { return value; });
@@ -237,7 +239,7 @@ void Interpreter::set_tool_length(int code, Block& block, const Place& place) {
         return;
     }
     if (code == 430) {
-        coordinates_.set_tool(tool_offset(number, place));
+        take_tool(tool_offset(number, place), place);
         return;
     }
     if (code == 432 && numbered == block.has_any(kAxisLetters)) {
@@ -250,7 +252,18 @@ void Interpreter::set_tool_length(int code, Block& block, const Place& place) {
         if (!block.has(kAxisLetters[axis])) continue;
         tool[axis] = coordinates_.number(block, axis) + (code == 432 ? tool[axis] : 0);
     }
-    coordinates_.set_tool(tool);
+    take_tool(tool, place);
+}
+
+void Interpreter::take_tool(const Point& offset, const Place& place) {
+    constexpr double kSame = 1e-6;  // mm
+    if (kinematic_length_ && !(std::abs(offset[2] - *kinematic_length_) < kSame)) {
+        place.refuse(
+            fmt::format("a tool of {:.6g} mm, and [KINS] TOOL_OFFSET is {:.6g} mm: the "
+                        "table turns about a point that depends on it",
+                        offset[2], *kinematic_length_));
+    }
+    coordinates_.set_tool(offset);
 }
 
 }  // namespace curvecore::ref

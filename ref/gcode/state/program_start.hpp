@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ref/curve/axes.hpp"
 #include "ref/gcode/state/tool_table.hpp"
 
 namespace curvecore::ref {
@@ -21,6 +22,8 @@ namespace curvecore::ref {
 /// | ini           |        | file of that block, in line startup_line                    |
 /// | folders       |        | folders of subs' files, behind the program's own            |
 /// | ini_numbers   |        | values of `#<_ini[section]name>`, by "[SECTION]NAME"          |
+/// | place         | mm     | where the tool is                                           |
+/// | tool_length   | mm     | that of the machine's kinematics: G43 takes no other         |
 struct ProgramStart {
     ToolTable tools;
     std::map<int, double> parameters;
@@ -31,6 +34,8 @@ struct ProgramStart {
     int startup_line = 0;
     std::vector<std::string> folders;
     std::map<std::string, double> ini_numbers;
+    AxisVector place{};
+    std::optional<double> tool_length;
 };
 
 /// Reads the start from LinuxCNC's .ini: TOOL_TABLE of [EMCIO], PARAMETER_FILE of [RS274NGC], files

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/commands/options/part_options.hpp"
 
+#include "ref/curve/joint_path.hpp"
 #include "ref/program/program_reader.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
@@ -55,6 +56,12 @@ void set_start(const PartOptions& part, Options& options) {
     ref::ProgramStart& start = options.gcode.start;
     start = ref::read_program_start(options.machine, part.tools);
     if (part.radii_tolerance) start.arc_tolerance = *part.radii_tolerance;
+    if (options.machine.empty()) return;
+    const ref::Machine machine = ref::read_machine(options.machine);
+    if (const auto home = machine.of_tool().home) std::copy_n(home->data(), 3, start.place.data());
+    if (const auto* table = std::get_if<ref::TiltingTable>(&machine.kinematics)) {
+        start.tool_length = table->tool_length;
+    }
 }
 
 /// Lets the block of the interpolator be that of the board.
@@ -73,9 +80,10 @@ void take_system(const std::vector<std::string>& texts, Options& options) {
 
 /// Returns the table that the core draws: that of joints, where the machine has some; null: none.
 std::shared_ptr<const ref::CurveTable> drawn_table(const Options& options) {
-    const bool joints =
-        !options.machine.empty() && !ref::is_trivial(ref::read_machine(options.machine).kinematics);
-    if (!joints) return options.gcode.table;
+    const bool machine = !options.machine.empty() && !options.file.empty();
+    if (!machine || ref::is_trivial(ref::read_machine(options.machine).kinematics)) {
+        return options.gcode.table;
+    }
     if (options.gcode.table) {
         throw UsageError("--curve: the core draws this machine's joints, no other table");
     }
@@ -84,6 +92,10 @@ std::shared_ptr<const ref::CurveTable> drawn_table(const Options& options) {
 
 /// Checks that a core draws tables.
 void check_table_core(const Options& options) {
+    if (!options.gcode.table && options.core.order > ref::kJointOrders) {
+        throw UsageError(fmt::format("--machine: joints are drawn with Order 2 .. {}, not {}",
+                                     ref::kJointOrders, options.core.order));
+    }
     if (options.core.build == Build::kEngine) return;
     throw UsageError(options.gcode.table ? "--curve: a table is drawn by --build engine"
                                          : "--machine: joints are drawn by --build engine");

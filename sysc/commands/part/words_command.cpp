@@ -190,7 +190,8 @@ class WordFiles {
         return writer_->count() * static_cast<std::size_t>(job.options.core.segment_words());
     }
     double path_mm(const Job& job) const {
-        return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm;
+        return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm /
+               job.machine.joint_stretch();
     }
     /// Bits of both streams for each mm of path.
     double bits_per_mm(const Job& job) const {

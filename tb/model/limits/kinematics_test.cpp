@@ -80,7 +80,8 @@ TEST(Kinematics, OfTheFileAreLinuxCncs) {
     EXPECT_EQ(delta.of_tool().axis[0].max, 100);
     EXPECT_NEAR(delta.of_tool().home->z(), 245 - std::sqrt(269. * 269 - 130 * 130), 1e-9);
     const ref::Machine inches = ref::read_machine_text(
-        "[TRAJ]\nLINEAR_UNITS = inch\n[KINS]\nKINEMATICS = scarakins\nD2 = 10\nD4 = 8\n"
+        "[TRAJ]\nLINEAR_UNITS = inch\n[KINS]\nKINEMATICS = scarakins\nD1 = 9\nD2 = 10\nD3 = 0\nD4 "
+        "= 8\nD5 = 0\n"
         "[JOINT_0]\nMAX_VELOCITY = 90\n[JOINT_2]\nMAX_VELOCITY = 2\n",
         "inch.ini");
     EXPECT_DOUBLE_EQ(std::get<ref::Scara>(inches.kinematics).outer, 8 * 25.4);
@@ -94,6 +95,20 @@ TEST(Kinematics, OfTheFileAreLinuxCncs) {
     }
 }
 
+TEST(Kinematics, AxesBesideTheJointsHaveLimitsOfTheirOwn) {
+    const ref::Machine machine = ref::read_machine_text(
+        "[KINS]\nKINEMATICS = xyzac-trt-kins\n[TRAJ]\nCOORDINATES = XYZAC\n"
+        "MAX_LINEAR_VELOCITY = 9\n[AXIS_A]\nMAX_VELOCITY = 3\nMAX_LIMIT = 2\nMIN_LIMIT = -2\n"
+        "[JOINT_3]\nMAX_VELOCITY = 5\n[JOINT_4]\nMAX_VELOCITY = 7\n[AXIS_X]\nMAX_LIMIT = 4\n",
+        "trt.ini");
+    EXPECT_EQ(machine.axis[3].velocity, 3);
+    EXPECT_EQ(machine.axis[3].max, 2);
+    EXPECT_EQ(machine.axis[5].velocity, 7);
+    EXPECT_EQ(machine.tool[0].max, 4);
+    EXPECT_EQ(machine.tool[1].max, ref::kUnlimitedTravel);
+    EXPECT_EQ(machine.axis[0].max, ref::Machine().axis[0].max);  // no [JOINT_0]
+}
+
 TEST(Kinematics, NoneOrHalfOfAMachineIsRefused) {
     EXPECT_PRED2(says, refusal("[KINS]\nKINEMATICS = genhexkins\n[TRAJ]\n"),
                  "robot.ini:2: error: KINEMATICS = genhexkins: one of trivkins, ");
@@ -101,9 +116,17 @@ TEST(Kinematics, NoneOrHalfOfAMachineIsRefused) {
                  "robot.ini:2: error: lineardeltakins needs L in [KINS]");
     EXPECT_PRED2(says, refusal("[KINS]\nKINEMATICS = lineardeltakins\nL = 0\nR = 1\n[TRAJ]\n"),
                  "robot.ini:3: error: L = 0: a length above 0");
-    EXPECT_PRED2(says,
-                 refusal("[KINS]\nKINEMATICS = scarakins\nD2 = 1\nD4 = 1\nELBOW = 2\n[TRAJ]\n"),
-                 "robot.ini:5: error: ELBOW = 2: the sign of joint 1");
+    const std::string scara =
+        "[KINS]\nKINEMATICS = scarakins\nD1 = 1\nD2 = 1\nD3 = 1\nD4 = 1\nD5 = 1\n";
+    EXPECT_EQ(refusal(scara + "[TRAJ]\n"), "");
+    EXPECT_PRED2(says, refusal(scara + "ELBOW = 2\n[TRAJ]\n"),
+                 "robot.ini:8: error: ELBOW = 2: the sign of joint 1");
+    EXPECT_PRED2(says, refusal(scara + "D6 = 50\n[TRAJ]\n"),
+                 "robot.ini:8: error: scarakins takes no D6 here");
+    EXPECT_PRED2(says, refusal("[KINS]\nKINEMATICS = scarakins\nD2 = 1\n[TRAJ]\n"),
+                 "robot.ini:2: error: scarakins needs D1 in [KINS]");
+    EXPECT_PRED2(says, refusal("[KINS]\nKINEMATICS = xyzac-trt-kins sparm=identityfirst\n[TRAJ]\n"),
+                 "robot.ini:2: error: KINEMATICS = xyzac-trt-kins sparm=identityfirst: without");
     EXPECT_PRED2(says, refusal("[KINS]\nKINEMATICS = rosekins\nJOINT_RATIO = 0.5\n[TRAJ]\n"),
                  "robot.ini:3: error: JOINT_RATIO = 0.5: 1.9 .. 1000");
 }
