@@ -142,7 +142,7 @@ ref::Vec3 Checker::turned(double s) const {
     return {at[3], at[4], at[5]};
 }
 
-/// Compares the tool of drawn joints and A B C, before rounding and in units, with its path; returns
+/// Compares the tool of drawn joints and A B C, before rounding, in units, with its path; returns
 /// its place.
 ref::Vec3 Checker::compare_tool(const ref::Vec3& joints, const ref::Vec3& abc, double s) {
     const ref::Kinematics& kinematics = job_.machine.kinematics;
