@@ -27,7 +27,7 @@ before=()
 if git cat-file -e 70c751d^{commit} 2>/dev/null; then
   rm -rf build/before && mkdir build/before
   git archive 70c751d | tar -x -C build/before
-  cp tb/bench/plan_cost.cpp build/before/tb/bench/
+  cp tb/bench/plan_cost.cpp tb/bench/surface.hpp build/before/tb/bench/
   ln -s "$PWD/.venv" build/before/.venv
   (
     cd build/before

@@ -19,13 +19,10 @@ Segment joint_segment(const Program& program, std::size_t index, const PlanOptio
     const double length = of.length / unit;
     TablePiece piece;
     piece.table = options.format.table.get();
-    const char* const places[] = {"tangent",   "normal",    "advance",
-                                  "further.0", "further.3", "further.6"};
     const auto series = of.joints.stretched(1 / unit);
-    for (int n = 1; n <= kJointOrders; ++n) {
-        for (int axis = 0; axis < 3; ++axis) {
-            piece.at(places[n - 1], axis) = series.c(axis, n) / unit;
-        }
+    for (const auto& [place, row] : piece.table->bus) {
+        const int n = piece.table->powers.at(row) + 1;  // x = c1 tau + c2 h tau^2 ..
+        for (int axis = 0; axis < 3; ++axis) piece.at(place, axis) = series.c(axis, n) / unit;
     }
     Segment segment;
     segment.move = index;

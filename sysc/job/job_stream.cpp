@@ -60,10 +60,11 @@ JobStream::JobStream(const Options& options, ref::Machine machine,
         look_at_input();
         return;
     }
+    const bool joints = job_.joints();  // what they draw is known of the drawn path alone
     try {
-        // What a machine's joints draw is known of the drawn path alone.
-        ref::is_trivial(job_.machine.kinematics) ? look_at_program() : look_at_drawn();
+        joints ? look_at_drawn() : look_at_program();
     } catch (const ref::InputError&) {
+        if (joints) throw;
         const std::exception_ptr programmed = std::current_exception();
         try {
             look_at_drawn();  // it may still draw as programmed

@@ -16,50 +16,22 @@
 #include "ref/path/smooth_stream.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "tb/bench/claim_table.hpp"
+#include "tb/bench/surface.hpp"
 
 namespace {
 
 using namespace curvecore::ref;
 
-constexpr std::size_t kRow = 500;     // chords
+using curvecore::tb::Surface;
+
 constexpr double kChord = 0.2;        // mm
-constexpr double kApart = 0.5;        // mm: distance of rows
-constexpr double kFeed = 100;         // mm/s
 constexpr std::size_t kAhead = 2000;  // moves, as sysc/job/job_stream.cpp
-
-/// Rows to and fro over y, z = f(x, y).
-class Surface {
-  public:
-    explicit Surface(std::size_t moves) : moves_(moves) {}
-
-    bool next(Move& move) {
-        if (made_ == moves_) return false;
-        move = Move();
-        move.feed = kFeed;
-        move.tolerance = 0.01;
-        move.start = at(made_);
-        move.end = at(++made_);
-        return true;
-    }
-
-  private:
-    static Vec3 at(std::size_t place) {
-        const std::size_t row = place / (kRow + 1);
-        const std::size_t chord = place % (kRow + 1);
-        const double x = kChord * static_cast<double>(row % 2 == 0 ? chord : kRow - chord);
-        const double y = kApart * static_cast<double>(row);
-        return {x, y, 3 * std::sin(x / 7) * std::cos(y / 9) + 1.5 * std::sin(x / 2.5 + y / 4)};
-    }
-
-    std::size_t moves_;
-    std::size_t made_ = 0;
-};
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 curvecore::tb::Cells row(std::size_t moves, const char* name, Effort effort) {
     const Machine machine;
-    Surface surface(moves);
+    Surface surface(moves, kChord);
     SmoothStream smooth([&](Move& move) { return surface.next(move); }, machine);
     double smoothing = 0;
     const auto source = [&](Move& move) {
@@ -74,7 +46,7 @@ curvecore::tb::Cells row(std::size_t moves, const char* name, Effort effort) {
     options.segment_queue_words = kBoardSegmentWords;
     newton_work() = 0;
     const double from = seconds();
-    PlanStream stream(source, {"surface", 0, kFeed}, machine, options);
+    PlanStream stream(source, {"surface", 0, Surface::kFeed}, machine, options);
     double duration = 0;
     while (const std::optional<Plan> plan = stream.next()) duration += plan->duration_s;
     const double all = seconds() - from;
@@ -95,7 +67,7 @@ curvecore::tb::Cells row(std::size_t moves, const char* name, Effort effort) {
 curvecore::tb::Cells threads_row(std::size_t moves, int threads, double& one) {
     using Clock = std::chrono::steady_clock;
     const Machine machine;
-    Surface surface(moves);
+    Surface surface(moves, kChord);
     PlanOptions options;
     options.format.splines = 1;
     options.segment_queue_words = kBoardSegmentWords;
@@ -111,7 +83,7 @@ curvecore::tb::Cells threads_row(std::size_t moves, int threads, double& one) {
     }
     const Clock::time_point from = Clock::now();
     PlanStream stream([&](Move& move) { return ahead ? ahead->next(move) : read(move); },
-                      {"surface", 0, kFeed}, machine, options);
+                      {"surface", 0, Surface::kFeed}, machine, options);
     while (stream.next()) {
     }
     const double time = std::chrono::duration<double>(Clock::now() - from).count();
