@@ -14,6 +14,7 @@ module motion_board #(
     parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
     parameter int Networks          = 1,     // 1, and with Build 0 0: rtl/motion_interpolator.sv
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int Table             = 0,     // [0, 1023] of a further curve: ref/curves
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int ScaleBits         = 44,    // [40, 56]
@@ -94,6 +95,7 @@ module motion_board #(
       .SampleInterval(SampleInterval),
       .Networks(Networks),
       .MultiplierForm(MultiplierForm),
+      .Table(Table),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
       .ScaleBits(ScaleBits),

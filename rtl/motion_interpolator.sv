@@ -59,7 +59,7 @@ module motion_interpolator #(
     parameter int ParameterGuard = 0,  // [0, 8], for splines; above 0 with Build 0 only
     parameter int Networks = 1,  // 1 steps by the networks, 0, with Build 0, by a program
     parameter int MultiplierForm = 0,  // 0 portable, 1 ECP5, 2 UP5K
-    parameter int Tables = 0,  // 1, with Build 2: room for the programs of a further curve
+    parameter int Table = 0,  // [0, 1023]; with Build 2: number of a further curve's table
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096,  // [16, 4096], a power of two
     parameter Program = "",  // files of Build 2: scripts/microcode.sh
@@ -117,8 +117,8 @@ module motion_interpolator #(
     if (Build == 1)
       $fatal(1, "Build 1 is a curve core alone, curve_interpolator_serial; Build 2 is as small");
   initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
-  initial if (Tables < 0 || Tables > 1) $fatal(1, "Tables must be 0 or 1");
-  initial if (Build != 2 && Tables != 0) $fatal(1, "Build %0d works with Tables 0 only", Build);
+  initial if (Table < 0 || Table > 1023) $fatal(1, "Table must be in [0, 1023]");
+  initial if (Build != 2 && Table != 0) $fatal(1, "Build %0d works with Table 0 only", Build);
   initial if (Build != 0 && Anchor != 1) $fatal(1, "Build %0d works with Anchor 1 only", Build);
   initial
     if (Build != 0 && ParameterGuard != 0)
@@ -160,7 +160,7 @@ module motion_interpolator #(
         .AuxAxes(AuxAxes),
         .Splines(Splines),
         .Mode(Mode),
-        .Tables(Tables),
+        .Table(Table),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords),

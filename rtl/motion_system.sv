@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board's motion: words and settings in through registers, step and direction pins out.
-//
 //   requests -> register_file -> words, settings -> motion_interpolator -> samples
 //                  ^ v                                    ^ one per period   v
 //               machine_state <- faults <---------------- step_generator -> pins
-//
 // A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due, in
 // position mode from rtl/bus/position_buffer.sv. Requests: rtl/bus/register_file.sv; after a reset
 // nothing is enabled, and what a host writes is in sysc/wire/README.md.
@@ -27,6 +25,7 @@ module motion_system #(
     parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
     parameter int Networks          = 1,     // 1, and with Build 0 0: rtl/motion_interpolator.sv
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int Table             = 0,     // [0, 1023] of a further curve: ref/curves
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int ScaleBits         = 44,    // [40, 56], with Build 2 [40, 45]
@@ -81,7 +80,7 @@ module motion_system #(
   ) + system_pkg::memories(
       SegmentQueueWords, ProfileQueueWords, SampleBufferWords
   );
-  localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
+  localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits, Table);
   localparam logic [15:0] BoardDigest = system_pkg::digest(Capability, Core, ClockHertz);
   localparam int Ahead = (Build == 2) ? 15 : SamplesAhead;  // samples_ahead() of hls/clocks.hpp
   logic [16:0] override_rate, rate;
@@ -274,6 +273,7 @@ module motion_system #(
       .SampleInterval(SampleInterval),
       .Networks(Networks),
       .MultiplierForm(MultiplierForm),
+      .Table(Table),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(Ahead),

@@ -206,14 +206,16 @@ foreach(bench microcode table_microcode)
   target_compile_definitions(bench_${bench} PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")
   set(configuration b2)
   set(tables)
+  set(profile 256)
   if(bench STREQUAL "table_microcode")
     set(configuration b2_t1)
-    set(tables Tables=1)
+    set(tables -GTable=1)  # not of the parameters, of which its first program is made
+    set(profile 512)  # .. and the model's name
   endif()
   core_test(${bench} ${configuration} TOP motion_interpolator PORTS motion
             PARAMS Build=2 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Splines=1
-                   Mode=1 SegmentQueueWords=1024 ProfileQueueWords=256 ${tables}
-            SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+                   Mode=1 SegmentQueueWords=1024 ProfileQueueWords=${profile}
+            SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt ${tables})
 endforeach()
 
 set(small PARAMS Order=2 CoefBits=18 PositionBits=16 GuardBits=2 AuxAxes=0 Mode=0)
@@ -366,7 +368,12 @@ foreach(module motion_interpolator motion_system motion_board motion_axi)
   illegal_parameter_test(${module} Build=2 "Build 2 needs Program and Data")
 endforeach()
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
-illegal_parameter_test(motion_interpolator Tables=1 "Build 0 works with Tables 0 only")
+foreach(module motion_interpolator motion_system)
+  illegal_parameter_test(${module} Build=0,Table=1 "Build 0 works with Table 0 only")
+endforeach()
+foreach(module motion_interpolator motion_system)
+  illegal_parameter_test(${module} Build=0,Table=1024 "Table must be in .0, 1023.")
+endforeach()
 
 # The registers: axes, bits of scale and of times.
 rows(sizes 3,44,12 1,33,4 MORE 9,56,16)

@@ -35,6 +35,14 @@ static inline uint16_t curvecore_digest(uint16_t digest, uint32_t word) {
     return digest;
 }
 
+/* Returns the number of a curve's table, in [1, 1023], of its lines without remarks: field table of
+ * CORE. */
+static inline uint32_t curvecore_table_number(const char *lines) {
+    uint16_t digest = 0;
+    for (; *lines != 0; ++lines) digest = curvecore_digest(digest, (unsigned char)*lines);
+    return 1 + digest % 1023u;
+}
+
 /* Returns the board's part of the digest that words are made for: the fields of CAPABILITY that
  * they depend on, CORE, the clocks of a sample period, and CLOCK. Its exclusive or with DIGEST, the
  * other part, is the digest of the words: rtl/motion_system.sv. */

@@ -236,10 +236,10 @@ class Cutter {
         check_path(move, length);
         for (int i = 0; i < kAuxAxes; ++i) {
             const double rate = std::abs(move.aux_end[i] - move.aux_start[i]) / length;
-            if (rate > kMaxAuxRate) {
+            if (rate > kMostAxisRate) {
                 refuse(move, fmt::format("{} goes {:.4g} times as far as this spline is long; {:g} "
                                          "times is the most",
-                                         kAxisLetters[3 + i], rate, kMaxAuxRate));
+                                         kAxisLetters[3 + i], rate, kMostAxisRate));
             }
         }
         spline ? add_spline(index) : add_table(index);

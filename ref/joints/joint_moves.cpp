@@ -183,29 +183,29 @@ JointMoves::Reach JointMoves::longest_from(double s) const {
 void JointMoves::check_rates(const VectorSeries<kToolOrders>& series, double s) const {
     for (int i = 0; i < 3; ++i) {
         const double rate = std::abs(series.c(i, 1));
-        if (rate <= kMaxAuxRate * stretch_) continue;
+        if (rate <= kMostAxisRate * stretch_) continue;
         refuse(
             fmt::format("{:.6g} mm along this move joint {} goes {:.4g} times as far as the "
                         "tool; [KINS] JOINT_RATIO allows {:.4g}",
-                        s, i, rate, kMaxAuxRate * stretch_));
+                        s, i, rate, kMostAxisRate * stretch_));
     }
     for (std::size_t i = 0; i < kAuxAxes; ++i) {
         const double rate = std::abs(move_.aux_end[i] - move_.aux_start[i]) / length_;
-        if (rate <= kMaxAuxRate * stretch_) continue;
+        if (rate <= kMostAxisRate * stretch_) continue;
         refuse(
             fmt::format("{} goes {:.4g} times as far as the tool; [KINS] JOINT_RATIO allows "
                         "{:.4g}",
-                        kAxisLetters[3 + i], rate, kMaxAuxRate * stretch_));
+                        kAxisLetters[3 + i], rate, kMostAxisRate * stretch_));
     }
 }
 
 /// Returns whether what is drawn is near the exact joints at places up to a length, and stays
 /// within its words.
 bool JointMoves::keeps(const VectorSeries<kJointOrders>& drawn, double s, double length) const {
-    if (drawn.most(length, 1).maxCoeff() > kMaxAuxRate * stretch_) return false;
+    if (drawn.most(length, 1).maxCoeff() > kMostAxisRate * stretch_) return false;
     for (int n = 2; n <= orders_; ++n) {
         const double word = drawn.c.col(n).cwiseAbs().maxCoeff() * std::pow(2 * length, n - 1);
-        if (word > kMaxAuxRate * stretch_) return false;
+        if (word > kMostAxisRate * stretch_) return false;
     }
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
         const Vec3 off = drawn.at(part * length) - joints_at(s + part * length);

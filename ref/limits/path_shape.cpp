@@ -33,7 +33,7 @@ PathShape path_shape(const Move& move, double from, double to) {
     for (int i = 0; i < kAuxAxes; ++i) {
         fastest = std::max(fastest, std::abs(move.aux_end[i] - move.aux_start[i]));
     }
-    shape.length = std::max(length, fastest / kMaxAuxRate);
+    shape.length = std::max(length, fastest / kMostAxisRate);
     shape.rate = length / shape.length;
 
     Vec3 axial = move.end - move.start;

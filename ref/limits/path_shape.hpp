@@ -63,9 +63,6 @@ struct PathShape {
     std::optional<ToolShape> tool;  // of joints: the path whose own limits hold
 };
 
-/// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
-constexpr double kMaxAuxRate = 1.9;
-
 /// Shape of a line or an arc, or of the stretch between two parts of its length.
 PathShape path_shape(const Move& move, double from = 0, double to = 1);
 

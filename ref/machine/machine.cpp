@@ -28,7 +28,7 @@ class MachineReader {
         read_units();
         read_shaper();
         machine_.kinematics = read_kinematics(ini_, unit_);
-        machine_.joint_ratio = read_joint_ratio(ini_, kLeastJointRatio);
+        machine_.joint_ratio = read_joint_ratio(ini_, kMostAxisRate);
         const std::string axes = read_axes();
         if (!ini_.has_section("TRAJ") && !any_axis_) {
             throw InputError(ini_.file(), 0,

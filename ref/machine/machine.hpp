@@ -45,8 +45,8 @@ inline std::array<AxisLimits, kMachineAxes> built_in_axes() {
     return axes;
 }
 
-/// Rate of an axis by the path that the core draws; its words hold less than 2.
-constexpr double kLeastJointRatio = 1.9;
+/// Greatest rate of an axis by the path that the core draws, whose words hold less than 2.
+constexpr double kMostAxisRate = 1.9;
 
 struct Machine {
     std::string name = "built-in";
@@ -58,10 +58,10 @@ struct Machine {
     ShaperKind shaper = ShaperKind::kNone;  // ref/machine/shaper.hpp
     std::array<Vibration, kMachineAxes> modes;
     Kinematics kinematics;  // unless trivial, `axis` is of joints, velocity .. jerk of the tool
-    double joint_ratio = kLeastJointRatio;  // mm or degrees that a joint goes for a mm of the tool
-    std::optional<Vec3> home;               // joints from which a program begins, where axes are
-    std::array<AxisLimits, 3> tool;         // travel of the tool's X Y Z, where the axes are joints
-    std::vector<std::string> notes;         // defaults that were used, for the report
+    double joint_ratio = kMostAxisRate;  // mm or degrees that a joint goes for a mm of the tool
+    std::optional<Vec3> home;            // joints from which a program begins, where axes are
+    std::array<AxisLimits, 3> tool;      // travel of the tool's X Y Z, where the axes are joints
+    std::vector<std::string> notes;      // defaults that were used, for the report
 
     /// Returns the machine that its tool would be with axes of its own.
     Machine of_tool() const {
@@ -73,7 +73,9 @@ struct Machine {
         return own;
     }
     /// Times by which the path that the core draws is longer than the tool's, for its joints.
-    double joint_stretch() const { return std::max(1.0, joint_ratio / kLeastJointRatio); }
+    double joint_stretch() const {
+        return is_trivial(kinematics) ? 1 : std::max(1.0, joint_ratio / kMostAxisRate);
+    }
 };
 
 /// Reads LinuxCNC's .ini, lengths in its LINEAR_UNITS (mm or inch):

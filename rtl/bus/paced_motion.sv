@@ -25,6 +25,7 @@ module paced_motion #(
     parameter int SampleInterval    = 8,
     parameter int Networks          = 1,
     parameter int MultiplierForm    = 0,
+    parameter int Table             = 0,
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int SamplesAhead      = 4,     // [1, 15]
@@ -97,6 +98,8 @@ module paced_motion #(
 );
 
   initial if (Build != 0 && Networks != 1) $fatal(1, "Build %0d works with Networks 1 only", Build);
+  initial if (Table < 0 || Table > 1023) $fatal(1, "Table must be in [0, 1023]");
+  initial if (Build != 2 && Table != 0) $fatal(1, "Build %0d works with Table 0 only", Build);
   initial if (SamplesAhead < 1 || SamplesAhead > 15) $fatal(1, "SamplesAhead must be in [1, 15]");
 
   // An offered sample stays.
@@ -175,6 +178,7 @@ module paced_motion #(
         .Mode(Mode),
         .RateBits(RateBits),
         .Ahead(SamplesAhead),
+        .Table(Table),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords),

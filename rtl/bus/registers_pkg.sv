@@ -76,6 +76,7 @@ package registers_pkg;
   localparam int CoreCoefBitsLow = 6;
   localparam int CorePositionBitsLow = 12;
   localparam int CoreGuardBitsLow = 18;
+  localparam int CoreTableLow = 22;
   localparam int ClockHertzLow = 0;
   localparam int ControlEnableLow = 0;
   localparam int ControlHoldLow = 1;

@@ -38,11 +38,13 @@ package system_pkg;
   endfunction
 
   function automatic int core(input int order, input int mode, input int coef_bits,
-                              input int position_bits, input int guard_bits);
+                              input int position_bits, input int guard_bits,
+                              input int table_number);
     core = (order << registers_pkg::CoreOrderLow) + (mode << registers_pkg::CoreModeLow) +
         (coef_bits << registers_pkg::CoreCoefBitsLow) +
         (position_bits << registers_pkg::CorePositionBitsLow) +
-        (guard_bits << registers_pkg::CoreGuardBitsLow);
+        (guard_bits << registers_pkg::CoreGuardBitsLow) +
+        (table_number << registers_pkg::CoreTableLow);
   endfunction
 
   // Adds the bytes of a word to a digest

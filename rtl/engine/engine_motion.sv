@@ -27,7 +27,7 @@ module engine_motion #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0, 1
-    parameter int Tables            = 0,     // 1: room for the programs of a further curve
+    parameter int Table             = 0,     // [0, 1023] of a further curve; 0: none
     parameter int RateBits          = 0,     // 0: samples are positions, or width of a rate
     parameter int Ahead             = 16,    // [1, 16] samples asked for and not taken, at most
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
@@ -94,8 +94,8 @@ module engine_motion #(
   initial if (Ahead < 1 || Ahead > 16) $fatal(1, "Ahead must be in [1, 16]");
 
   // Instructions and words of data that the programs of these parameters need
-  localparam bit Small = Order <= 6 && AuxAxes == 0 && Tables == 0;
-  localparam bit Large = Order > 9 || Order + AuxAxes > 12 || Tables == 1;
+  localparam bit Small = Order <= 6 && AuxAxes == 0 && Table == 0;
+  localparam bit Large = Order > 9 || Order + AuxAxes > 12 || Table != 0;
   localparam int Instructions = Small ? 1536 : Large ? 4096 : 2048;
   localparam int WordBits = Small ? 8 : 9;
 
@@ -177,7 +177,7 @@ module engine_motion #(
   logic [14:0] made_for;
   assign made_for = engine_pkg::made_for(
       system_pkg::core(
-          Order, Mode, CoefBits, PositionBits, GuardBits
+          Order, Mode, CoefBits, PositionBits, GuardBits, Table
       ),
       AuxAxes,
       Splines,

@@ -5,7 +5,7 @@
 //   microcode_generator TREE FOLDER TOP [Name=Value ...]
 //
 // TOP is rtl/motion_interpolator.sv or a module around it. A parameter that is not given has the
-// default of that module.
+// default of that module. The table of Table is the one of ref/curves that has its number.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +14,15 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <regex>
 #include <stdexcept>
 #include <string>
 
 #include "hls/clocks.hpp"
 #include "hls/place_scaler.hpp"
+#include "hls/registers/board_facts.h"
+#include "ref/curves/table_reader.hpp"
 #include "ref/format/parameter_text.hpp"
 #include "ref/text/text_file.hpp"
 #include "rtl/engine/assembler/listing.hpp"
@@ -62,8 +65,26 @@ void set(const std::string& option, const std::string& top, Values& values) {
     values[name] = number_of(at == std::string::npos ? "" : option.substr(at + 1), option);
 }
 
-ref::CoreParameters core_of(const Values& values) {
+/// The table of that number; null for 0.
+std::shared_ptr<const ref::CurveTable> table_of(const fs::path& tree, std::uint32_t number) {
+    if (number == 0) return nullptr;
+    for (const fs::directory_entry& entry : fs::directory_iterator(tree / "ref/curves")) {
+        if (entry.path().extension() != ".net") continue;
+        auto table = std::make_shared<ref::CurveTable>(ref::read_curve_table(entry.path()));
+        if (curvecore_table_number(table->text.c_str()) == number) return table;
+    }
+    throw std::invalid_argument(fmt::format(
+        "Table={}: no table of ref/curves has that number; `curvecore curve check` says "
+        "those that they have",
+        number));
+}
+
+ref::CoreParameters core_of(const Values& values, const fs::path& tree) {
     ref::CoreParameters core;
+    const auto table = values.find("Table");
+    if (table != values.end()) {
+        ref::add_table(table_of(tree, static_cast<std::uint32_t>(table->second)), core);
+    }
     core.build = ref::Build::kEngine;
     for (const auto& [name, value] : values) {
         const ref::Parameter* const row = ref::find_parameter(name);
@@ -116,7 +137,7 @@ int main(int argc, char** argv) {
     try {
         Values values = defaults_of(argv[1], argv[3]);
         for (int n = 4; n < argc; ++n) set(argv[n], argv[3], values);
-        const ref::CoreParameters core = core_of(values);
+        const ref::CoreParameters core = core_of(values, argv[1]);
         check_period(core, values);
         const assembler::Assembly made = assembler::motion_program(
             core, {values.at("SegmentQueueWords"), values.at("ProfileQueueWords")}, argv[1],

@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "ref/format/queues.hpp"
+#include "rtl/engine/compiler/word_numbers.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/shipped_files.hpp"
 #include "sysc/cli/usage_error.hpp"
@@ -148,7 +149,6 @@ CachedModel core_model(const CoreParameters& parameters) {
     simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
     std::istringstream text(ref::parameters_text(simulated));
     for (std::string word; text >> word;) model.parameters.push_back(word);
-    if (parameters.table) model.parameters.push_back("Tables=1");
     return model;
 }
 
@@ -157,6 +157,9 @@ std::vector<std::string> all_parameters(const CachedModel& model) {
     std::vector<std::string> all{fmt::format("Build={}", static_cast<int>(model.core.build)),
                                  fmt::format("SegmentQueueWords={}", model.segment_queue_words),
                                  fmt::format("ProfileQueueWords={}", model.profile_queue_words)};
+    if (model.core.table) {
+        all.push_back(fmt::format("Table={}", assembler::table_number(model.core)));
+    }
     all.insert(all.end(), model.parameters.begin(), model.parameters.end());
     return all;
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hls/registers/board_facts.h"
 #include "ref/bound/table_bound.hpp"
 #include "ref/curves/order_demand.hpp"
 #include "ref/curves/table_reader.hpp"
@@ -38,9 +39,11 @@ std::string engine_text(const ref::CurveTable& table, const CoreParameters& core
         const auto clocks = [&](const char* part) {
             return assembler::worst_case(assembly, table.name + "_" + part, {"idle"});
         };
-        return fmt::format("engine: {} instructions; {} clocks a segment, {} a step, {} a sample\n",
-                           assembly.placed().size() - 1, clocks("load"), clocks("step"),
-                           clocks("sample"));
+        return fmt::format(
+            "engine: {} instructions; {} clocks a segment, {} a step, {} a sample; parameter "
+            "Table={}\n",
+            assembly.placed().size() - 1, clocks("load"), clocks("step"), clocks("sample"),
+            curvecore_table_number(table.text.c_str()));
     } catch (const assembler::AssemblyError& error) {
         return fmt::format("engine: does not draw it: {}\n", error.what());
     }

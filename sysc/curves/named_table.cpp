@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "hls/registers/board_facts.h"
 #include "ref/curves/row_powers.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "sysc/cli/shipped_files.hpp"
@@ -14,6 +15,22 @@
 
 namespace curvecore::sysc {
 namespace fs = std::filesystem;
+
+namespace {
+
+fs::path shipped_folder() { return shipped_files().folder / "ref/curves"; }
+
+/// Files of the tables that are shipped, in the order of their names.
+std::vector<fs::path> shipped_tables() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(shipped_folder())) {
+        if (entry.path().extension() == ".net") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace
 
 void check_table_name(const ref::CurveTable& table) {
     for (const char* taken : {"line", "arc", "helix", "spline", "curve"}) {
@@ -26,14 +43,10 @@ void check_table_name(const ref::CurveTable& table) {
 std::shared_ptr<const ref::CurveTable> named_table(const std::string& name) {
     fs::path file = name;
     if (file.extension() != ".net") {
-        const fs::path folder = shipped_files().folder / "ref/curves";
-        file = folder / (name + ".net");
+        file = shipped_folder() / (name + ".net");
         if (!fs::exists(file)) {
             std::vector<std::string> names;
-            for (const auto& entry : fs::directory_iterator(folder)) {
-                if (entry.path().extension() == ".net") names.push_back(entry.path().stem());
-            }
-            std::sort(names.begin(), names.end());
+            for (const fs::path& one : shipped_tables()) names.push_back(one.stem());
             throw UsageError(fmt::format("--curve '{}': it is FILE.net, or one of {}", name,
                                          fmt::join(names, ", ")));
         }
@@ -42,6 +55,15 @@ std::shared_ptr<const ref::CurveTable> named_table(const std::string& name) {
     check_table_name(*table);
     table->powers = ref::row_powers(*table);
     return table;
+}
+
+std::shared_ptr<const ref::CurveTable> numbered_table(std::uint32_t number) {
+    for (const fs::path& file : shipped_tables()) {
+        if (curvecore_table_number(ref::read_curve_table(file).text.c_str()) == number) {
+            return named_table(file);
+        }
+    }
+    return nullptr;
 }
 
 }  // namespace curvecore::sysc

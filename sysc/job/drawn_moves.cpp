@@ -52,13 +52,14 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
       plan_options_(segment_options(options)),
       form_(form_of(options, form)),
       tolerance_(options.arc_tolerance.value_or(0)),
-      from_(options.from_mm) {
+      from_(options.from_mm),
+      stretch_(machine.joint_stretch()) {
     plan_options_.advise = false;
     plan_options_.cuts = std::make_shared<ref::KnownCuts>();
     if (!ref::is_trivial(machine.kinematics)) {
         const bool series = options.core.table && options.core.table->name == "series";
         if (!series) refuse_joints(machine, "this core");
-        joints_.emplace([this](ref::Move& move) { return next_drawn(move); }, program_.file(),
+        joints_.emplace([this](ref::Move& move) { return give_tool(move); }, program_.file(),
                         machine, options.plan_options());
     }
     if (options.exact_path) return;
@@ -85,18 +86,16 @@ bool DrawnMoves::carried(const std::deque<ref::Move>& moves) const {
     return true;
 }
 
-bool DrawnMoves::next(ref::Move& move) { return joints_ ? joints_->next(move) : next_drawn(move); }
-
-bool DrawnMoves::next_drawn(ref::Move& move) {
-    while (give(move)) {
-        const double before = from_ - left_out_;
+bool DrawnMoves::next(ref::Move& move) {
+    while (joints_ ? joints_->next(move) : give(move)) {
+        const double before = (from_ - left_out_) * stretch_;
         if (before > 0) {
             const double length = move.length();
-            left_out_ += std::min(length, before);
+            left_out_ += std::min(length, before) / stretch_;
             if (length <= before) continue;
             move = ref::part_of(move, before, length);
         }
-        ref::look_at(move, off_);
+        if (!joints_) ref::look_at(move, off_);
         given_ = true;
         return true;
     }
@@ -107,6 +106,13 @@ bool DrawnMoves::next_drawn(ref::Move& move) {
                         from_));
     }
     return false;
+}
+
+/// Gives the next move of a tool whose joints are drawn.
+bool DrawnMoves::give_tool(ref::Move& move) {
+    if (!give(move)) return false;
+    ref::look_at(move, off_);
+    return true;
 }
 
 bool DrawnMoves::give(ref::Move& move) {

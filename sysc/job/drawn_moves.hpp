@@ -42,7 +42,7 @@ class DrawnMoves {
     bool carried(const std::deque<ref::Move>& moves) const;
     void replace(const ref::Move& spline);
     bool give(ref::Move& move);
-    bool next_drawn(ref::Move& move);
+    bool give_tool(ref::Move& move);
 
     ref::ProgramStream program_;
     const ref::Machine machine_;  // the tool's
@@ -53,8 +53,9 @@ class DrawnMoves {
     ref::Replaced replaced_;
     ref::Smoothed off_;
     std::deque<ref::Move> ready_;
-    const double from_;
-    double left_out_ = 0;  // mm
+    const double from_;     // mm of the tool's path
+    const double stretch_;  // of the path that is drawn
+    double left_out_ = 0;   // mm of the tool's
     bool given_ = false;
     std::optional<ref::JointMoves> joints_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ref/geometry/segment_batches.hpp"
+#include "ref/machine/path_quantum.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/usage_error.hpp"
@@ -61,8 +62,7 @@ bool Job::is_smooth() const {
 }
 
 double Job::path_mm() const {
-    return std::ldexp(static_cast<double>(plan.path_length()), -16) * plan.unit_mm /
-           machine.joint_stretch();
+    return static_cast<double>(plan.path_length()) * ref::path_quantum_mm(machine, plan.unit_mm);
 }
 
 ref::Machine machine_of(const Options& options) {
@@ -77,8 +77,8 @@ ref::Machine machine_of(const Options& options) {
 void refuse_joints(const ref::Machine& machine, const char* who) {
     if (ref::is_trivial(machine.kinematics)) return;
     throw UsageError(
-        fmt::format("--machine: {} has {}, and {} draws no joints: run, plan and words "
-                    "do, with the engine that they make",
+        fmt::format("--machine: {} has {}, and {} draws no joints: run, plan, words "
+                    "and stream do, with the engine that they make",
                     machine.name, ref::name_of(machine.kinematics), who));
 }
 

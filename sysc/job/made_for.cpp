@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "hls/registers/board_facts.h"
-#include "ref/curves/curve_table.hpp"
+#include "rtl/engine/compiler/word_numbers.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -18,15 +18,10 @@ std::uint16_t board_digest(const Options& options) {
         CURVECORE_PUT(CAPABILITY_BUILD, core.build == Build::kSerial) |
         CURVECORE_PUT(CAPABILITY_ENGINE, core.build == Build::kEngine) |
         CURVECORE_PUT(CAPABILITY_SPLINES, core.splines);
-    const std::uint32_t widths = CURVECORE_PUT(CORE_ORDER, core.order) |
-                                 CURVECORE_PUT(CORE_MODE, core.mode) |
-                                 CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
-                                 CURVECORE_PUT(CORE_POSITION_BITS, core.position_bits) |
-                                 CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits);
     const auto whole = [](double value) {
         return static_cast<std::uint32_t>(std::min(std::round(value), 4294967295.0));
     };
-    return curvecore_board_digest(capability, widths,
+    return curvecore_board_digest(capability, assembler::core_word(core),
                                   whole(options.sample_period_s * options.clock_hz),
                                   whole(options.clock_hz));
 }
@@ -37,14 +32,6 @@ std::uint16_t with(std::uint16_t digest, double value) {
     std::memcpy(&bits, &value, sizeof bits);
     digest = curvecore_digest(digest, static_cast<std::uint32_t>(bits));
     return curvecore_digest(digest, static_cast<std::uint32_t>(bits >> 32));
-}
-
-/// Words of another table are not for the board.
-std::uint16_t with(std::uint16_t digest, const ref::CurveTable& table) {
-    for (const char c : table.text) {
-        digest = curvecore_digest(digest, static_cast<unsigned char>(c));
-    }
-    return digest;
 }
 
 }  // namespace
@@ -62,9 +49,6 @@ MadeFor made_for(const Options& options, const ref::Machine& machine) {
                                    axis.rotary ? 1.0 : 0.0}) {
             host = with(host, limit);
         }
-    }
-    if (options.core.table) {
-        host = with(host, *options.core.table);
     }
     return {board_digest(options), host};
 }

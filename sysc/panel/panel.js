@@ -71,6 +71,7 @@ function showStatus() {
   for (const e of document.querySelectorAll("[data-wish], #rate")) e.disabled = !control || !open || ended;
   byId("may").textContent = control ? "" : "read only: the address that stream printed, with what is behind #, may ask";
   byId("rest").hidden = !status.rest;
+  byId("why").textContent = status.state === "lost" ? "The board does not answer. Is it still on? " : "";
   byId("options").textContent = status.rest || "";
   fetchPoints();
   draw();

@@ -37,7 +37,8 @@ struct PanelAxis {
 /// | left_s            | s      | to the end of what is planned, at that override          |
 /// | line              |        | of the program                                           |
 /// | from              |        | length: where a rest was planned anew, for --rest        |
-/// | rest              |        | of a board that is lost: options that draw what is left  |
+/// | rest              |        | of a board that is lost, or a program that was stopped:  |
+/// |                   |        | options that draw what is left                           |
 /// | faults            |        | empty: none                                              |
 struct PanelStatus {
     std::string state;

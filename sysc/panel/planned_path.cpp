@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/feed/pieces/piece_walk.hpp"
+#include "ref/machine/path_quantum.hpp"
 #include "ref/plan/segment_curve.hpp"
 
 namespace curvecore::sysc {
@@ -20,7 +21,7 @@ constexpr double kMostOnCurve = 64;
 void PlannedPath::add(const ref::Plan& part) {
     const std::lock_guard lock(mutex_);
     tick_s_ = part.tick_s;
-    quantum_mm_ = part.unit_mm * ref::kQuantum;
+    quantum_mm_ = ref::path_quantum_mm(machine_, part.unit_mm);
     for (const ref::Segment& segment : part.segments) add(segment, part.unit_mm);
     for (const ref::ProfilePiece& piece : part.pieces) {
         pieces_.push_back({path_, time_s_, piece});
@@ -35,14 +36,18 @@ void PlannedPath::add(const ref::Segment& segment, double unit_mm) {
     stretches_.push_back({begin + segment.length, segment.line});
     const double length = static_cast<double>(segment.length) * ref::kQuantum;
     const bool straight = segment.kind() == ref::CurveKind::kArc && segment.arc().radius == 0;
-    const double wanted = std::ceil(length * unit_mm / kPointEvery);
+    const double length_mm = static_cast<double>(segment.length) * quantum_mm_;
+    const double wanted = std::ceil(length_mm / kPointEvery);
     const double parts = straight ? 1 : std::clamp(wanted, kLeastPoints, kMostOnCurve);
-    const double begin_mm = static_cast<double>(begin) * ref::kQuantum * unit_mm;
+    const double begin_mm = static_cast<double>(begin) * quantum_mm_;
     const auto show = [&](double part, bool kept) {
         const auto point = [&] {
             const double s = length * part;
-            return ShownPoint{ref::exact_position(segment, s) * unit_mm, begin_mm + s * unit_mm,
-                              segment.line};
+            const ref::AxisPoint at = ref::exact_point(segment, ref::exact_position(segment, s), s);
+            const ref::Vec3 tool =
+                ref::tool_of(machine_.kinematics, ref::Vec3(at[0], at[1], at[2]) * unit_mm,
+                             ref::Vec3(at[3], at[4], at[5]) * unit_mm);
+            return ShownPoint{tool, begin_mm + part * length_mm, segment.line};
         };
         points_.add(point, kept);
     };

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "ref/machine/machine.hpp"
 #include "ref/plan/segment.hpp"
 #include "sysc/panel/shown_points.hpp"
 
@@ -22,7 +23,8 @@ struct PathPlace {
 class PlannedPath {
   public:
     /// @param begin of what is added, in quanta: what is before that is not known
-    explicit PlannedPath(std::uint64_t begin = 0) : begin_(begin), path_(begin) {}
+    explicit PlannedPath(const ref::Machine& machine = {}, std::uint64_t begin = 0)
+        : machine_(machine), begin_(begin), path_(begin) {}
 
     void add(const ref::Plan& part);
     /// Forgets what is before a place, in quanta: it is drawn.
@@ -36,7 +38,7 @@ class PlannedPath {
     double time_s() const;
     double length_mm() const;
 
-    /// Returns the points from a number on, mm, as ShownPoints::json does.
+    /// Returns the points of the tool from a number on, mm, as ShownPoints::json does.
     std::string json(std::size_t from) const;
 
   private:
@@ -53,6 +55,7 @@ class PlannedPath {
     void add(const ref::Segment& segment, double unit_mm);
     void forget(std::uint64_t path);
 
+    ref::Machine machine_;
     mutable std::mutex mutex_;
     std::deque<Stretch> stretches_;  // those before the place that was passed are gone
     std::deque<Piece> pieces_;

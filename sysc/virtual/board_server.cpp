@@ -41,7 +41,7 @@ struct BoardServer::State {
     };
 
     State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
-        : fast(options.fast), board(std::move(step), options.axes, options.build) {}
+        : fast(options.fast), board(std::move(step), options.axes, options.build, options.table) {}
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);

@@ -21,6 +21,7 @@ struct BoardServerOptions {
     bool fast = false;
     VirtualAxes axes;
     Build build = Build::kEngine;
+    std::shared_ptr<const ref::CurveTable> table;  // null: none
 };
 
 class BoardServer {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hls/place_scaler.hpp"
+#include "ref/curves/curve_table.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/cores/core_cache.hpp"
 
@@ -21,12 +22,17 @@ VirtualTimes times_of(Build build) {
     throw UsageError("--build: a virtual board is engine or parallel");
 }
 
-std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
+std::unique_ptr<VirtualModel> model_of(Build build, std::shared_ptr<const ref::CurveTable> table,
+                                       const VirtualTimes& times) {
+    if (table && build != Build::kEngine) {
+        throw UsageError("--curve: a table is drawn by --build engine");
+    }
     CachedModel model{"board", "motion_board", "sysc/virtual/compiled_board.cpp", {}, {}, 4096,
                       1024};
     model.core.build = build;
     model.core.splines = 1;
     model.core.mode = 1;
+    ref::add_table(std::move(table), model.core);
     model.rate_bits = hls::kStepFraction + times.period_log2;
     for (const auto& [name, value] : {std::pair("Splines", 1),
                                       {"Mode", 1},
@@ -44,9 +50,9 @@ std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
 }  // namespace
 
 VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
-                           Build build)
+                           Build build, std::shared_ptr<const ref::CurveTable> table)
     : times_(times_of(build)),
-      model_(model_of(build, times_)),
+      model_(model_of(build, std::move(table), times_)),
       step_(std::move(step)),
       axes_(std::move(axes)) {
     set_switches();

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/machine/path_quantum.hpp"
+
 namespace curvecore::sysc {
 
 Pictures::Pictures(const Job& job, std::uint64_t ticks)
     : span_(static_cast<std::uint64_t>(std::max(1.0, std::round(kSpan / job.plan.tick_s)))),
       span_s_(static_cast<double>(span_) * job.plan.tick_s),
-      quantum_mm_(std::ldexp(job.plan.unit_mm, -16) / job.machine.joint_stretch()),
+      quantum_mm_(ref::path_quantum_mm(job.machine, job.plan.unit_mm)),
       length_(std::max<std::uint64_t>(job.plan.path_length(), 1)),
       ticks_(std::max<std::uint64_t>(ticks, 1)),
       duration_s_(static_cast<double>(ticks_) * job.plan.tick_s),

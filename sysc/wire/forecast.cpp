@@ -7,7 +7,8 @@
 
 namespace curvecore::sysc {
 
-Forecast::Forecast(const Options& options) : thread_([this, options] { plan(options); }) {}
+Forecast::Forecast(const Options& options)
+    : path_(machine_of(options)), thread_([this, options] { plan(options); }) {}
 
 Forecast::~Forecast() {
     stop_ = true;

@@ -62,6 +62,7 @@ RemoteBuild build_of(const curvecore_board& board) {
     build.core.coef_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_COEF_BITS));
     build.core.position_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_POSITION_BITS));
     build.core.guard_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_GUARD_BITS));
+    build.table = CURVECORE_FIELD(core, CORE_TABLE);
     return build;
 }
 

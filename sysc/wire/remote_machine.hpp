@@ -26,7 +26,8 @@ struct RemoteBuild {
     bool encoders = false;     // it has encoder inputs
     int outputs = 0;           // changes of outputs that wait; 0: it has none
     int shaper_places = 0;     // that are kept of an axis; 0: it has no shaper
-    CoreParameters core;
+    std::uint32_t table = 0;   // number of the table that the core draws besides; 0: none
+    CoreParameters core;       // without it
 
     /// Words that ROOM counts the room of: those of a queue, or of the engine's entry to it.
     int counted_words(int queue_words) const {

@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-#include "ref/format/path_words.hpp"
+#include "ref/machine/path_quantum.hpp"
 #include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
@@ -20,12 +20,15 @@ std::filesystem::file_time_type written(const std::string& file) {
 }  // namespace
 
 RestPlan::RestPlan(Options options, Check check)
-    : options_(std::move(options)), check_(std::move(check)), written_(written(options_.file)) {}
+    : options_(std::move(options)),
+      quantum_mm_(ref::path_quantum_mm(machine_of(options_), options_.unit_mm)),
+      check_(std::move(check)),
+      written_(written(options_.file)) {}
 
 bool RestPlan::plan(const DrawnBefore& before, double percent) {
     if (plans()) return false;
     Options options = options_;
-    options.from_mm += static_cast<double>(before.path) / ref::kQuantaPerUnit * options.unit_mm;
+    options.from_mm += static_cast<double>(before.path) * quantum_mm_;
     options.override_percent = percent;
     planned_ = std::async(std::launch::async, [options, before] {
         auto words = std::make_unique<WordSource>(options, machine_of(options), before);

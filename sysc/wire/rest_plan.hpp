@@ -33,6 +33,7 @@ class RestPlan {
 
   private:
     Options options_;
+    double quantum_mm_;  // of the path
     Check check_;
     std::filesystem::file_time_type written_;
     std::future<std::unique_ptr<WordSource>> planned_;

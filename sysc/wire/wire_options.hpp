@@ -24,6 +24,7 @@ Drives drives_of(const WireOptions& options, int axes);
 void shape(const ref::Machine& machine, const RemoteBuild& build, Drives& drives);
 
 /// Sets the options to those of this board: a program is planned for it.
+/// @throws UsageError: it draws another table than the program needs
 void take_board(const RemoteBuild& build, Options& options);
 /// Sets them to those of the board at the end of this link, which is only read.
 /// @throws UsageError: no board is there, or one of another kind

@@ -43,7 +43,7 @@ void move_to(std::deque<Item>& held, std::deque<Item>& planned) {
 
 WordSource::WordSource(const Options& options, const ref::Machine& machine,
                        const DrawnBefore& before)
-    : before_(before), path_(before.path), drawn_(before.path) {
+    : before_(before), path_(machine, before.path), drawn_(before.path) {
     stream_.emplace(options, machine);
     planned_.path = before.path;
     planned_.words = before.words;

@@ -131,6 +131,7 @@ class Panel(unittest.TestCase):
         self.press("stop")
         self.assertEqual(self.host.wait(), 130)
         self.until('!open && byId("state").textContent === "stopped"')
+        self.assertRegex(self.browser.get('byId("options").textContent'), r"^--from \d+\.\d{6}mm$")
         self.assertTrue(self.browser.get('document.querySelector("[data-wish=hold]").disabled'))
         self.board.send_signal(signal.SIGINT)
         self.board.wait()

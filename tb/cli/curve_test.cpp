@@ -54,6 +54,7 @@ TEST_F(CurveCommand, SaysRowsAndWhatTheEngineNeeds) {
               std::string::npos)
         << result.out;
     EXPECT_NE(result.out.find("\nengine: "), std::string::npos);
+    EXPECT_NE(result.out.find("; parameter Table="), std::string::npos);
     EXPECT_EQ(result.out.find("\nerror: "), std::string::npos) << "no segment is given";
 }
 

@@ -155,7 +155,7 @@ TEST_F(Grammar, ADeviceGivesClockAndMultipliers) {
 }
 
 TEST_F(Grammar, ManySegmentsOfNarrowWordsAreWarnedOf) {
-    program_.write("part.ngc", "G21 G90 G94 F600\nG2 X0 Y0 I300 J0\nM2\n");
+    program_.write("part.ngc", "G21 G90 G94 F600\nG2 X0 Y0 I30 J0\nM2\n");
     const ProgramResult narrow = program_.run(
         {"plan", "part.ngc", "-q", "--set", "CoefBits=22", "--set", "Order=4", "-o", "narrow"});
     EXPECT_EQ(narrow.status, 0) << narrow.err;

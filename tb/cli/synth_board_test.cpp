@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "hls/registers/board_facts.h"
+#include "ref/curves/table_reader.hpp"
 #include "tb/cli/synth_run.hpp"
 
 namespace curvecore::tb {
@@ -152,9 +154,10 @@ TEST(SynthBoard, AParameterGivenIsInTheTop) {
 }
 
 /// A board of the engine beside others' tools, which what makes its programs may use.
-ProgramResult engine_board(const SynthRun& synth, int period_log2) {
+ProgramResult engine_board(const SynthRun& synth, int period_log2, unsigned curve = 0) {
     Json table = table_of("colorlight_i5");
     table["parameters"]["PeriodLog2"] = period_log2;
+    if (curve != 0) table["parameters"]["Table"] = curve;
     synth.write("engine.json", table.dump());
     return synth.shell("PATH=$PATH:/usr/bin:/bin $SYNTH --board engine.json");
 }
@@ -173,6 +176,20 @@ TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
     EXPECT_FALSE(synth.read("out/boards/engine/data.hex").empty());
     const Json facts = Json::parse(synth.read("out/boards/engine/board.json"));
     EXPECT_FALSE(facts["parameters"].contains("Program")) << "names of files are no figures";
+}
+
+TEST(SynthBoard, OfTheEngineDrawsTheTableOfItsNumber) {
+    const SynthRun synth(kTools);
+    ASSERT_EQ(engine_board(synth, 14).status, 0);
+    const std::string without = synth.read("out/boards/engine/program.hex");
+    const std::string text = ref::read_curve_table(CURVES_DIR "/series.net").text;
+    const ProgramResult with = engine_board(synth, 14, curvecore_table_number(text.c_str()));
+    EXPECT_EQ(with.status, 0) << with.err;
+    EXPECT_NE(synth.read("out/boards/engine/program.hex"), without);
+    const ProgramResult unknown = engine_board(synth, 14, 1);
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_PRED_FORMAT2(IsSubstring, "Table=1: no table of ref/curves has that number",
+                        unknown.err);
 }
 
 TEST(SynthBoard, OfTheEngineWithTooFewClocksIsRefused) {

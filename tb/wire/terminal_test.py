@@ -69,8 +69,10 @@ class TerminalTest(unittest.TestCase):
         self.key("+")
         self.until(r"override 90 %  time 90 % ")
         self.key("s")
-        stopped = self.until(r"stopped (\d+\.\d{3}) of \d+\.\d{3} mm planned so far, ")
+        stopped = self.until(r"stopped (\d+\.\d{3}) of \d+\.\d{3} mm planned so far, (?:.|\n)*"
+                             r"\nthe same command with --from (\d+\.\d{6})mm draws the rest\n")
         self.assertGreater(float(stopped[1]), float(held[1]))
+        self.assertAlmostEqual(float(stopped[1]), float(stopped[2]), delta=6e-4)
         self.assertEqual(self.host.wait(), 130)
         # No line is broken, and nothing of the panel stands at the end.
         text = re.sub(r"\033\[\d*[AJ]", "", self.seen)

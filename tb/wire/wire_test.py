@@ -22,9 +22,9 @@ import tty
 import unittest
 import zlib
 
-from wire_parts import (CONTROL, CURVECORE, ENABLED, SEQUENCE, STATE, STEPS_PER_MM, Board, Wire,
-                        bridge, command, counts, numbered, read, report_of, system_steps, times,
-                        until)
+from wire_parts import (CONTROL, CURVECORE, ENABLED, QUANTA_PER_MM, SEQUENCE, STATE, STEPS_PER_MM,
+                        Board, Wire, bridge, command, counts, numbered, read, report_of,
+                        system_steps, times, until)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RADIUS = 20
@@ -192,7 +192,7 @@ class WireTest(unittest.TestCase):
         waits = [b[0] - a[0] for a, b in zip(steps, steps[1:])]
         self.assertGreater(sum(waits[-5:]) / 5, 4 * sorted(waits)[len(waits) // 2])
 
-    def test_interrupted_host_stops_on_the_path(self):
+    def test_interrupted_host_stops_on_the_path_and_another_draws_the_rest(self):
         board = self.board("--fast")
         host, wire = self.stream_to_gate(board, 25)
         host.send_signal(signal.SIGINT)
@@ -201,8 +201,12 @@ class WireTest(unittest.TestCase):
         report = self.report()
         self.assertEqual(report["end"], "stopped")
         self.assertLess(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
+        drawn_mm = report["drawn"]["path_quanta"] / QUANTA_PER_MM
+        self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--from", f"{drawn_mm:.6f}mm"))
         steps = board.end()
-        self.assertEqual(report["drawn"]["steps"], counts(steps))
+        rest = self.report()["drawn"]["steps"]
+        self.assertEqual([a + b for a, b in zip(report["drawn"]["steps"], rest)], counts(steps))
+        self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
         self.check_path(steps)
 
     def test_estop_is_told(self):

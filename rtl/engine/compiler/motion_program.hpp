@@ -19,7 +19,7 @@ struct QueueWords {
 };
 
 /// Returns the store of a core's parameters, as rtl/motion_interpolator.sv has it; of one that has
-/// a table, with Tables 1.
+/// a table, with a Table.
 StoreSize motion_store(const ref::CoreParameters& core);
 
 /// Assembles the motion of a core; `tree` is the folder that has ref/curves and rtl/engine. Its

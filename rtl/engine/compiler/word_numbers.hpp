@@ -7,6 +7,7 @@
 
 #include "hls/registers/board_facts.h"
 #include "hls/words.hpp"
+#include "ref/curves/curve_table.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/path_words.hpp"
 #include "rtl/engine/assembler/assembly.hpp"
@@ -20,17 +21,27 @@ constexpr int kWordsBehind = 4;
 /// Changes of ports.asm that programs made before do not know of. Twin: engine_pkg::PortNumbers.
 constexpr std::uint16_t kPortNumbers = 2;
 
+/// Number of the core's table, as CORE has it; 0: none.
+inline std::uint32_t table_number(const ref::CoreParameters& core) {
+    return core.table ? curvecore_table_number(core.table->text.c_str()) : 0;
+}
+
+/// CORE of a core: the widths that words are planned for, and its table.
+inline std::uint32_t core_word(const ref::CoreParameters& core) {
+    return CURVECORE_PUT(CORE_ORDER, core.order) | CURVECORE_PUT(CORE_MODE, core.mode) |
+           CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
+           CURVECORE_PUT(CORE_POSITION_BITS, core.position_bits) |
+           CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits) |
+           CURVECORE_PUT(CORE_TABLE, table_number(core));
+}
+
 /// Returns what programs are made for. Twin: engine_pkg::made_for.
 inline int made_for(const ref::CoreParameters& core, int segment_words, int profile_words,
                     int rate_bits = 0) {
-    const std::uint32_t widths = CURVECORE_PUT(CORE_ORDER, core.order) |
-                                 CURVECORE_PUT(CORE_MODE, core.mode) |
-                                 CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
-                                 CURVECORE_PUT(CORE_POSITION_BITS, core.position_bits) |
-                                 CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits);
     std::uint16_t digest = kPortNumbers;
     for (const std::uint32_t word :
-         {widths, static_cast<std::uint32_t>((rate_bits << 8) + 2 * core.aux_axes + core.splines),
+         {core_word(core),
+          static_cast<std::uint32_t>((rate_bits << 8) + 2 * core.aux_axes + core.splines),
           static_cast<std::uint32_t>(segment_words), static_cast<std::uint32_t>(profile_words)}) {
         digest = curvecore_digest(digest, word);
     }

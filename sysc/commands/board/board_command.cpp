@@ -12,6 +12,7 @@
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
+#include "sysc/curves/named_table.hpp"
 #include "sysc/virtual/board_server.hpp"
 
 namespace curvecore::sysc {
@@ -19,7 +20,7 @@ namespace curvecore::sysc {
 namespace {
 
 struct BoardOptions {
-    BoardServerOptions served{kWireAddress, false, {}, Build::kEngine};
+    BoardServerOptions served{kWireAddress, false, {}, Build::kEngine, nullptr};
     std::string folder;  // empty: no files
     std::string web;     // empty: no page
 };
@@ -112,6 +113,10 @@ void add_board(CLI::App& app, int& status) {
               "engine (default), a sample every 1600us, or parallel, every 100us; made with "
               "Verilator when it is first asked for",
               build_of);
+    add_value(command, "--curve", served.table, "NAME",
+              "a table that its engine draws besides, as stream asks for it: FILE.net, or one of "
+              "ref/curves; series: joints of a machine",
+              [](const std::string&, const std::string& text) { return named_table(text); });
     add_text(command, "-o,--output", options.folder, "DIR",
              "folder for steps.csv and outputs.csv: every step and edge of its pins, written when "
              "it ends");

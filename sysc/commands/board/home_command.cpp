@@ -10,6 +10,7 @@
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/options/typed_option.hpp"
+#include "sysc/curves/named_table.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/homing.hpp"
 #include "sysc/panel/console.hpp"
@@ -117,6 +118,9 @@ void add_home(CLI::App& app, int& status) {
              "HOME_SEQUENCE, HOME_IGNORE_LIMITS and the travel of [JOINT_n]")
         ->required();
     add_text(command, "--axes", asked.axes, "LETTERS", "of them, as zx; all when left out");
+    add_value(command, "--curve", asked.options.core.table, "NAME",
+              "the table that the board draws besides, if it is none of ref/curves: FILE.net",
+              [](const std::string&, const std::string& text) { return named_table(text); });
     command.add_flag("-q,--quiet", asked.options.quiet, "print warnings and errors only");
     add_wire(command, asked.wire);
     command.footer(

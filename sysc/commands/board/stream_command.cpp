@@ -7,7 +7,7 @@
 
 #include "hls/registers/registers.h"
 #include "ref/curve/axes.hpp"
-#include "ref/format/path_words.hpp"
+#include "ref/machine/path_quantum.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/commands/board/commands.hpp"
@@ -23,8 +23,8 @@
 namespace curvecore::sysc {
 namespace {
 
-double mm_of(std::uint64_t quanta, const Options& options) {
-    return static_cast<double>(quanta) / ref::kQuantaPerUnit * options.unit_mm;
+double mm_of(std::uint64_t quanta, double quantum_mm) {
+    return static_cast<double>(quanta) * quantum_mm;
 }
 
 /// Words a second that the link carries; null where the rate is unknown, as for UDP.
@@ -36,8 +36,8 @@ nlohmann::ordered_json link_words(const RemoteMachine& machine) {
 /// Report of what was planned and of the board's state.
 nlohmann::ordered_json report(const Options& options, const RemoteMachine& machine,
                               const WireStream& stream, const std::vector<std::int32_t>& steps,
-                              const std::vector<Following>& following, double seconds,
-                              const std::string& end) {
+                              const std::vector<Following>& following, double quantum_mm,
+                              double seconds, const std::string& end) {
     const PlannedWords& planned = stream.planned();
     const LinkFigures link = machine.figures();
     const RemoteBuild& build = machine.build();
@@ -57,7 +57,7 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
     json["drawn"] = {{"path_quanta", stream.path()}, {"steps", steps}, {"held", stream.held()}};
     json["drawn"]["waits_mm"] = nlohmann::json::array();
     for (const std::uint64_t at : stream.waits()) {
-        json["drawn"]["waits_mm"].push_back(mm_of(at, options));
+        json["drawn"]["waits_mm"].push_back(mm_of(at, quantum_mm));
     }
     for (const Following& axis : following) {
         json["following_error_mm"][std::string(1, ref::kAxisLetters[axis.encoder.axis])] = {
@@ -95,11 +95,12 @@ int stream_command(StreamOptions& asked) {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
         take_board(build, options);
-        refuse_joints(machine_of(options), "a board");
+        const ref::Machine described = machine_of(options);
+        const double quantum_mm = ref::path_quantum_mm(described, options.unit_mm);
         Drives drives = drives_of(wire, build.axes);
-        shape(machine_of(options), build, drives);
+        shape(described, build, drives);
         const InterruptGuard guard;
-        if (asked.rest) options.from_mm += mm_of(machine.stand(), options);
+        if (asked.rest) options.from_mm += mm_of(machine.stand(), quantum_mm);
         options.gcode.obeyed.waits = true;
         options.live = true;
         WordSource words(options);
@@ -161,9 +162,10 @@ int stream_command(StreamOptions& asked) {
         panel.reset();
         if (!options.folder.empty()) {
             OutputFolder folder(options.folder);
-            folder.write(
-                "report.json",
-                report(options, machine, stream, steps, following, seconds, end).dump(2) + "\n");
+            folder.write("report.json", report(options, machine, stream, steps, following,
+                                               quantum_mm, seconds, end)
+                                                .dump(2) +
+                                            "\n");
             folder.commit();
         }
         if (end == "fault")
@@ -172,11 +174,15 @@ int stream_command(StreamOptions& asked) {
             fmt::print(
                 "{} {:.3f} of {:.3f} mm{}, steps {}, {} frames, {} repeated, round trip {:.2f} "
                 "ms\n",
-                end, static_cast<double>(stream.path()) / ref::kQuantaPerUnit * options.unit_mm,
-                static_cast<double>(stream.planned().path) / ref::kQuantaPerUnit * options.unit_mm,
+                end, mm_of(stream.path(), quantum_mm), mm_of(stream.planned().path, quantum_mm),
                 stream.planned().all ? "" : " planned so far", fmt::join(steps, " "),
                 machine.figures().frames, machine.figures().repeated,
                 1e3 * machine.figures().round_trip_s);
+            if (end == "stopped" && options.file != ref::kStandardInput) {
+                fmt::print("the same command with --from {:.6f}mm{} draws the rest\n",
+                           options.from_mm + mm_of(stream.path(), quantum_mm),
+                           asked.rest ? " and without --rest" : "");
+            }
             for (const Following& axis : following) {
                 fmt::print("{}: worst following error {:.4f} mm\n",
                            ref::kAxisLetters[axis.encoder.axis], std::abs(axis.worst_mm));
@@ -187,7 +193,7 @@ int stream_command(StreamOptions& asked) {
             fmt::print(stderr,
                        "{}: warning: waited for words at s = {:.3f} mm{}: the link was too slow or "
                        "lost too many frames; the path was kept\n",
-                       wire.to, mm_of(stream.waits().front(), options),
+                       wire.to, mm_of(stream.waits().front(), quantum_mm),
                        stream.waits().size() == 1
                            ? ""
                            : fmt::format(", and {} times more", stream.waits().size() - 1));

@@ -12,13 +12,17 @@
 #include "hls/path_outputs.hpp"
 #include "hls/registers/registers.h"
 #include "ref/curve/axes.hpp"
-#include "ref/format/path_words.hpp"
+#include "ref/machine/path_quantum.hpp"
 
 namespace curvecore::sysc {
 
 StreamPanel::StreamPanel(const Parts& parts, const std::string& control_file,
                          const std::string& web)
-    : parts_(parts), console_(control_file), terminal_(!parts.options.quiet) {
+    : parts_(parts),
+      described_(machine_of(parts.options)),
+      quantum_mm_(ref::path_quantum_mm(described_, parts.options.unit_mm)),
+      console_(control_file),
+      terminal_(!parts.options.quiet) {
     if ((terminal_.on() || !web.empty()) && parts.options.file != ref::kStandardInput) {
         forecast_.emplace(parts.options);
     }
@@ -59,11 +63,9 @@ void StreamPanel::tell_wait(const WireStream& stream) {
     const std::string before =
         std::exchange(wait_, wait == nullptr ? "" : fmt::format("{} {}", wait->line, wait->what));
     if (wait == nullptr || wait_ == before) return;
-    const double place_mm =
-        static_cast<double>(wait->place) * parts_.options.unit_mm * ref::kQuantum;
     if (!terminal_.on() || !heard()) {
         fmt::print(stderr, "{}:{}: waits at {:.3f} mm: {}; {}\n", parts_.options.file, wait->line,
-                   place_mm, wait->what,
+                   mm_of(wait->place), wait->what,
                    heard() ? "resume goes on" : "nobody can say resume, so it stops");
     }
     if (!heard()) wishes_.push({Wish::Kind::kStop});
@@ -73,32 +75,31 @@ void StreamPanel::tell_wait(const WireStream& stream) {
 void StreamPanel::tell_begin(const WireStream& stream) {
     if (std::exchange(told_begin_, stream.begin()) == stream.begin()) return;
     if (!terminal_.on() && !parts_.options.quiet) {
-        fmt::print(stderr, "goes on --from {}\n", from_text(stream));
+        fmt::print(stderr, "goes on --from {}\n", from_text(stream.begin()));
     }
 }
 
-/// Place where what is drawn now begins, as --from takes it.
-std::string StreamPanel::from_text(const WireStream& stream) const {
-    const Options& options = parts_.options;
-    const double way_mm = static_cast<double>(stream.begin()) * options.unit_mm * ref::kQuantum;
-    return fmt::format("{:.6f}mm", options.from_mm + way_mm);
+/// A place of the path, quanta, as --from takes it.
+std::string StreamPanel::from_text(std::uint64_t path) const {
+    return fmt::format("{:.6f}mm", parts_.options.from_mm + mm_of(path));
 }
 
 void StreamPanel::end(const WireStream& stream, const std::string& how) {
     if (!page_) return;
     PanelStatus last = status(stream);
     last.state = how;
+    const bool again = how == "stopped" && parts_.options.file != ref::kStandardInput;
+    if (again) last.rest = "--from " + from_text(stream.path());
     show(last);
 }
 
 std::string StreamPanel::lose(const WireStream& stream) {
-    const double path_mm =
-        static_cast<double>(stream.path()) * parts_.options.unit_mm * ref::kQuantum;
-    const std::string rest = "--rest" + (stream.begin() == 0 ? "" : " --from " + from_text(stream));
+    const std::string rest =
+        "--rest" + (stream.begin() == 0 ? "" : " --from " + from_text(stream.begin()));
     std::string text = fmt::format(
         "it was {:.3f} mm along the path, line {}; a board that is still on holds there, and draws "
         "the rest with stream {}",
-        path_mm, stream.words().path().at(stream.path()).line, rest);
+        mm_of(stream.path()), stream.words().path().at(stream.path()).line, rest);
     if (page_) {
         last_.state = "lost";
         last_.rest = rest;
@@ -111,31 +112,55 @@ std::string StreamPanel::lose(const WireStream& stream) {
 std::string StreamPanel::state(const WireStream& stream) const {
     const RemoteMachine& machine = parts_.machine;
     if (!machine.is(CURVECORE_STATE_ENABLED_MASK)) return "off";
-    if (stream.wait() != nullptr) return "waits for a person: " + stream.wait()->what;
+    if (stream.wait() != nullptr) {
+        const bool held = machine.is(CURVECORE_STATE_HOLDING_MASK);
+        return fmt::format("{}waits for a person: {}", held ? "held, " : "", stream.wait()->what);
+    }
     if (machine.is(CURVECORE_STATE_HOLDING_MASK)) {
         return machine.is(CURVECORE_STATE_STANDING_MASK) ? "held" : "holds";
     }
     return stream.waiting() ? "waits for words" : "runs";
 }
 
+double StreamPanel::mm_of(std::uint64_t quanta) const {
+    return static_cast<double>(quanta) * quantum_mm_;
+}
+
+/// Returns the axes; of a machine with joints the tool's X Y Z before the joints, by their numbers.
+std::vector<PanelAxis> StreamPanel::axes() const {
+    std::vector<PanelAxis> axes;
+    std::array<double, kBoardAxes> places{};
+    const std::vector<std::int32_t> steps = parts_.machine.steps();
+    const bool joints = !ref::is_trivial(described_.kinematics);
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+        const double way = (steps[n] - begin_[n]) / parts_.drives.steps_per_mm[n];
+        places[n] = parts_.words.start()[n] + way;
+        const char name = joints && n < 3 ? static_cast<char>('0' + n) : ref::kAxisLetters[n];
+        axes.push_back({name, places[n], std::nullopt});
+    }
+    for (const Following& axis : encoders_->now()) {
+        axes[axis.encoder.axis].following_mm = axis.now_mm;
+    }
+    if (!joints) return axes;
+    const ref::Vec3 tool =
+        ref::tool_of(described_.kinematics, ref::Vec3(places[0], places[1], places[2]),
+                     ref::Vec3(places[3], places[4], places[5]));
+    for (int i = 2; i >= 0; --i) {
+        axes.insert(axes.begin(), {ref::kAxisLetters[static_cast<std::size_t>(i)], tool[i], {}});
+    }
+    return axes;
+}
+
 PanelStatus StreamPanel::status(const WireStream& stream) {
     RemoteMachine& machine = parts_.machine;
     const RemoteBuild& build = machine.build();
-    const double quantum_mm = parts_.options.unit_mm * ref::kQuantum;
     const PlannedWords& planned = stream.planned();
     const PathPlace place = stream.words().path().at(stream.path());
     const Telemetry& now = machine.telemetry();
     PanelStatus status;
     status.state = state(stream);
-    const std::vector<std::int32_t> steps = machine.steps();
-    for (std::size_t n = 0; n < steps.size(); ++n) {
-        const double way = (steps[n] - begin_[n]) / parts_.drives.steps_per_mm[n];
-        status.axes.push_back({ref::kAxisLetters[n], parts_.words.start()[n] + way, std::nullopt});
-    }
-    for (const Following& axis : encoders_->now()) {
-        status.axes[axis.encoder.axis].following_mm = axis.now_mm;
-    }
-    status.path_mm = static_cast<double>(stream.path()) * quantum_mm;
+    status.axes = axes();
+    status.path_mm = mm_of(stream.path());
     status.planned_mm = path().length_mm();
     status.all_planned = forecast_ ? forecast_->all() : planned.all;
     status.feed_mm_min = 60 * place.feed_mm_s * now.rate;
@@ -154,7 +179,7 @@ PanelStatus StreamPanel::status(const WireStream& stream) {
         status.outputs = {CURVECORE_FIELD(word, OUTPUTS_BITS),
                           CURVECORE_FIELD(word, OUTPUTS_POWER) / double{hls::kMostLevel}};
     }
-    if (stream.begin() > 0) status.from = from_text(stream);
+    if (stream.begin() > 0) status.from = from_text(stream.begin());
     status.faults = fault_names(stream.faults());
     return status;
 }

@@ -43,15 +43,19 @@ class StreamPanel {
 
   private:
     PlannedPath& path();
+    double mm_of(std::uint64_t quanta) const;
+    std::vector<PanelAxis> axes() const;
     PanelStatus status(const WireStream& stream);
     std::string state(const WireStream& stream) const;
     void tell_wait(const WireStream& stream);
     void tell_begin(const WireStream& stream);
-    std::string from_text(const WireStream& stream) const;
+    std::string from_text(std::uint64_t path) const;
     void show(PanelStatus status);
     void log(const PanelStatus& status);
 
     Parts parts_;
+    ref::Machine described_;
+    double quantum_mm_;
     Console console_;
     WishQueue wishes_;
     TerminalPanel terminal_;

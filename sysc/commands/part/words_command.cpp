@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hls/words.hpp"
-#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/machine/path_quantum.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/comment_text.hpp"
 #include "sysc/commands/options/part_options.hpp"
@@ -74,7 +74,8 @@ std::string profile_head(const Job& job) {
            "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta; check [43:36]:\n"
            "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n"
            "// before some of them a stop branch:\n"
-           "//   13      wait [19:0], ticks to the next one\n"
+           "//   13      wait [19:0], ticks to the next one; again [20]: the steps of the one "
+           "before\n"
            "//   14 ..   ticks [10:0], change of the rate's slope [42:11], last [43]\n" +
            (job.options.outputs == 0
                 ? ""
@@ -109,9 +110,13 @@ class WordFiles {
             append(text, words);
             profile_.write(text);
             profile_words_ += words.size();
+            for (const std::uint64_t word : words) {
+                const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
+                branch_words_ += tag == hls::Tag::kStop || tag == hls::Tag::kStep ? 1 : 0;
+                output_words_ += tag == hls::Tag::kOutput ? 1 : 0;
+            }
         }
         branches_ += part.branches.size();
-        planned_words_ += ref::profile_words(part);
         ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
         path_ = part.segments.back().s_start + part.segments.back().length;
     }
@@ -142,7 +147,7 @@ class WordFiles {
                            {"count", pieces_->count()},
                            {"words_each", hls::kProfileBusWords},
                            {"branches", branches_},
-                           {"outputs", profile_words_ - planned_words_},
+                           {"outputs", output_words_},
                            {"words", profile_words_}};
         json["queue_words"] = {{"segments", job.options.segment_queue_words},
                                {"profile", job.options.profile_queue_words}};
@@ -162,17 +167,17 @@ class WordFiles {
 
     std::string summary(const Job& job) const {
         const std::size_t segments = segment_words(job);
-        const std::size_t plain = pieces_->count() * hls::kProfileBusWords;  // without branches
+        const std::size_t plain = pieces_->count() * hls::kProfileBusWords;
         std::string text =
             fmt::format("segments  {} in {} words of {} bits\nprofile   {} pieces in {} words",
                         writer_->count(), segments, kBusBits, pieces_->count(), plain);
         if (branches_ > 0) {
             text += fmt::format(
                 ", and {} stop branches in {}: --holds bounds sends none, a hold takes longer then",
-                branches_, planned_words_ - plain);
+                branches_, branch_words_);
         }
-        if (profile_words_ > planned_words_) {
-            text += fmt::format(", and {} words of outputs", profile_words_ - planned_words_);
+        if (output_words_ > 0) {
+            text += fmt::format(", and {} words of outputs", output_words_);
         }
         return text + fmt::format(
                           "\ntraffic   {} words, {:.0f} bits/mm of {:.6g} mm\n"
@@ -190,8 +195,7 @@ class WordFiles {
         return writer_->count() * static_cast<std::size_t>(job.options.core.segment_words());
     }
     double path_mm(const Job& job) const {
-        return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm /
-               job.machine.joint_stretch();
+        return static_cast<double>(path_) * ref::path_quantum_mm(job.machine, job.plan.unit_mm);
     }
     /// Bits of both streams for each mm of path.
     double bits_per_mm(const Job& job) const {
@@ -208,7 +212,8 @@ class WordFiles {
     std::optional<ProfileWriter> pieces_;
     std::size_t branches_ = 0;
     std::size_t profile_words_ = 0;
-    std::size_t planned_words_ = 0;  // of pieces and branches
+    std::size_t branch_words_ = 0;
+    std::size_t output_words_ = 0;
     std::uint64_t ticks_ = 0;
     std::uint64_t path_ = 0;
 };

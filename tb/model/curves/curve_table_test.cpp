@@ -2,6 +2,10 @@
 // Tables of curves as text: what is refused, and how far rows are needed.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+
+#include "hls/registers/board_facts.h"
 #include "ref/curves/order_demand.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "ref/text/input_error.hpp"
@@ -78,6 +82,22 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
                                                                   << refused(lines);
     }
     EXPECT_EQ(refused("anchor\n  y : -2 = theta"), "");
+}
+
+/// A board says its table by this number.
+TEST(CurveTable, NumbersOfTheShippedOnesDiffer) {
+    std::map<std::uint32_t, std::string> names;
+    std::size_t tables = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RTL_DIR "/../ref/curves")) {
+        if (entry.path().extension() != ".net") continue;
+        ++tables;
+        const CurveTable table = read_curve_table(entry.path());
+        const std::uint32_t number = curvecore_table_number(table.text.c_str());
+        EXPECT_TRUE(number >= 1 && number <= CURVECORE_MOST(CORE_TABLE)) << number;
+        EXPECT_TRUE(names.emplace(number, table.name).second)
+            << table.name << " is " << names[number];
+    }
+    EXPECT_GT(tables, 5U);
 }
 
 TEST(CurveTable, RowsAreNeededAsFarAsTheKernelMakesThem) {

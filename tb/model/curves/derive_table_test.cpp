@@ -88,7 +88,7 @@ const std::vector<ref::CurveFormula>& curves() {
         {"trochoid", {"R*t - d*sin(t)", "R - d*cos(t)"}, {{"R", 10}, {"d", 6}}, 0.2, 7},
         {"bump", {"15*t", "20*exp(-t^2)"}, {}, -2, 2},
         {"witch", {"12*t", "20/(1 + t^2)"}, {}, -3, 3},
-        {"lissajous", {"30*sin(3*t)", "25*sin(2*t + 0.7)"}, {}, 0, 6},
+        {"lissajous", {"30*sin(3*t)", "25*sin(2*t + 0.7)"}, {}, 0, 2},
         {"cone", {"(5 + t)*cos(t)", "(5 + t)*sin(t)", "3*t"}, {}, 0, 12},
         {"powers", {"10*t", "20*sqrt(t)", "t^2.5"}, {}, 0.3, 3},
         {"logs", {"10*t", "8*log(1 + t)*atan(t)"}, {}, 0, 4},

@@ -31,7 +31,7 @@ std::vector<std::smatch> matches(const std::string& text, const std::regex& patt
 }
 
 /// Parameters of a top that are no row: its build, its structure, its queues.
-const std::set<std::string> kStructure{"Build", "Curves", "Tables", "SegmentQueueWords",
+const std::set<std::string> kStructure{"Build", "Curves", "Table", "SegmentQueueWords",
                                        "ProfileQueueWords"};
 
 class Top : public testing::TestWithParam<const char*> {

@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
 #include <random>
 #include <set>
 #include <vector>
 
 #include "hls/word_entry.hpp"
+#include "ref/curves/curve_table.hpp"
 #include "ref/feed/planner.hpp"
 #include "sysc/words/bus_words.hpp"
 #include "tb/support/programs/program_builder.hpp"
@@ -41,6 +43,12 @@ std::vector<Thing> things() {
         {"GuardBits", 11, [](C& c, int n) { c.options.core.guard_bits = 2 + n; }},
         {"AuxAxes", 7, [](C& c, int n) { c.options.core.aux_axes = n; }},
         {"Splines", 2, [](C& c, int n) { c.options.core.splines = n; }},
+        {"table", 26,
+         [](C& c, int n) {
+             auto table = std::make_shared<ref::CurveTable>();
+             table->text = std::string(1, static_cast<char>('a' + n));
+             c.options.core.table = table;
+         }},
         {"Build", 2, [](C& c, int n) { c.options.core.build = static_cast<sysc::Build>(n); }},
         {"period", 40, [](C& c, int n) { c.options.sample_period_s = 1e-5 * (1 + n); }},
         {"clock", 200, [](C& c, int n) { c.options.clock_hz = 1e6 * (1 + n); }},

@@ -117,7 +117,7 @@ TEST(PlannedPath, KnowsWhereTheProgramRestsBehindWhatWasDrawnBefore) {
     }
     ASSERT_TRUE(rests);
     constexpr std::uint64_t kBefore = 1'000'000'007;
-    sysc::PlannedPath path(kBefore);
+    sysc::PlannedPath path({}, kBefore);
     path.add(part);
     EXPECT_EQ(path.at(kBefore + rest / 2).line, 1);
     EXPECT_FALSE(path.rests_at(kBefore + rest - 1));

@@ -20,7 +20,7 @@ CoreConfiguration read_configuration(const std::string& text) {
             core.segment_queue_words = std::stoul(value);
         } else if (name == "ProfileQueueWords") {
             core.profile_queue_words = std::stoul(value);
-        } else if (name != "Tables") {  // of its store: no kernel knows it
+        } else {
             sysc::single_parameter(word).set(core.parameters);
         }
     }
