@@ -2,11 +2,11 @@
 // Stop branches as they pass: the one that a stop may take, and the time when it begins. Twin:
 // rtl/time/stop_memory.sv.
 //
-// A branch stands before a piece. It is due kStopLead ticks of path time after the tick in which
-// the piece began, so that every tick on its way has been taken; and it can be taken if time rested
-// in that tick and in all since. Else it only reports the time until the next one. So does a
-// program's first piece without a branch: branches before the program no longer count. A branch
-// before the last one's due time is left out.
+// A branch stands before a piece, with its steps or with those of the branch before. It is due
+// kStopLead ticks of path time after the tick in which the piece began, so that every tick on its
+// way has been taken; and it can be taken if time rested in that tick and in all since. Else it
+// only reports the time until the next one. So does a program's first piece without a branch:
+// branches before the program no longer count. A branch before the last one's due time is left out.
 #pragma once
 
 #include <array>
@@ -22,11 +22,14 @@ using ref::kStopSteps;  // longer branches overwrite their start
 
 class StopSchedule {
   public:
-    /// Loads the first words of the branch before the next piece.
-    void load_wait(std::int32_t wait) {
+    /// Loads the first word of the branch before the next piece; `again`: the steps are those that
+    /// were loaded last.
+    void load_wait(std::int32_t wait, bool again = false) {
         loaded_ = true;
-        count_ = 0;
         next_wait_ = wait;
+        if (again) return;
+        count_ = 0;
+        fresh_ = true;
     }
     void load_step(const StopStep& step) {
         banks_[write_][static_cast<std::size_t>(count_++ % kStopSteps)] = step;
@@ -63,7 +66,8 @@ class StopSchedule {
         if ((loaded_ || first) && left_ < 0) {
             const bool begins = loaded_ && steady_;
             if (begins) {
-                write_ = 1 - write_;
+                if (fresh_) write_ = 1 - write_;
+                fresh_ = false;
                 read_ = 0;
             }
             next_ = StopDue(loaded_ ? next_wait_ : 1, begins);
@@ -76,6 +80,7 @@ class StopSchedule {
     std::array<std::array<StopStep, kStopSteps>, 2> banks_{};
     std::size_t write_ = 0;
     bool loaded_ = false;
+    bool fresh_ = false;  // steps that no branch has begun with
     int count_ = 0;
     std::int32_t next_wait_ = 0;
     StopDue next_;

@@ -185,6 +185,7 @@ class PieceEntry : public detail::FrameEntry {
         if (tag_ == Tag::kPiece) last_ = get(kFinalField, word) != 0;
         if (entry == Entry::kPassed || entry == Entry::kCompleted) {
             stop_ = tag_ == Tag::kStop || (stop_ && tag_ != Tag::kPiece);
+            known_ = known_ || tag_ == Tag::kStep;
             tag_ = next(word);
         }
         return entry;
@@ -195,12 +196,16 @@ class PieceEntry : public detail::FrameEntry {
 
     Tag next(std::uint64_t word) const {
         if (tag_ == Tag::kC3) return Tag::kPiece;
+        if (tag_ == Tag::kStop && get(kStopAgainField, word) != 0) return Tag::kPiece;
         if (tag_ == Tag::kStep) return get(kStepLastField, word) != 0 ? Tag::kPiece : Tag::kStep;
         return static_cast<Tag>(static_cast<int>(tag_) + 1);
     }
 
     bool can_be(std::uint64_t word) const {
-        if (tag_ == Tag::kStop) return get({20, 24}, word) == 0 && get(kStopWaitField, word) != 0;
+        if (tag_ == Tag::kStop) {
+            return get({21, 23}, word) == 0 && get(kStopWaitField, word) != 0 &&
+                   (known_ || get(kStopAgainField, word) == 0);
+        }
         if (tag_ == Tag::kStep) return get(kStepTicksField, word) != 0;
         if (tag_ != Tag::kPiece) return true;
         const std::uint64_t ticks = get(kPieceTicksField, word);
@@ -209,7 +214,8 @@ class PieceEntry : public detail::FrameEntry {
                ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({32, 4}, word) == 0;
     }
 
-    bool stop_ = false;  // the next piece already has a branch
+    bool stop_ = false;   // the next piece already has a branch
+    bool known_ = false;  // one came whose steps another may have again
 };
 
 }  // namespace hls

@@ -59,7 +59,8 @@
 //
 //   | tag | word | fields                                                              |
 //   |-----|------|---------------------------------------------------------------------|
-//   | 13  | stop | wait [19:0] 1 ..: ticks that a stop waits for the next one, at most |
+//   | 13  | stop | wait [19:0] 1 ..: ticks that a stop waits for the next one, at most; |
+//   |     |      | again [20]: the steps are those of the branch before, and do not come |
 //   | 14  | step | ticks [10:0] 1 ..; change [42:11] of the slope of time's rate, each |
 //   |     |      | tick, 2^-32 per tick; last [43]                                     |
 //
@@ -128,7 +129,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 5;  // version of these formats; in every file of words
+constexpr int kWordsVersion = 6;  // version of these formats; in every file of words
 
 enum class Tag {
     kLength = 1,
@@ -165,6 +166,7 @@ constexpr Field kExponentField{25, 6};
 constexpr Field kFinalField{31, 1};
 
 constexpr Field kStopWaitField{0, ref::kStopWaitBits};
+constexpr Field kStopAgainField{20, 1};
 constexpr Field kStepTicksField{0, ref::kStepTicksBits};
 constexpr Field kStepChangeField{11, 32};
 constexpr Field kStepLastField{43, 1};
@@ -281,8 +283,8 @@ inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* ou
     }
 }
 
-inline std::uint64_t pack_stop(std::int32_t wait) {
-    return detail::bus_word(Tag::kStop, kStopWaitField, wait);
+inline std::uint64_t pack_stop(std::int32_t wait, bool again = false) {
+    return detail::bus_word(Tag::kStop, kStopWaitField, wait) | put(kStopAgainField, again);
 }
 inline std::uint64_t pack(const StopStep& step) {
     return put(kTagField, static_cast<int>(Tag::kStep)) | put(kStepTicksField, step.ticks) |

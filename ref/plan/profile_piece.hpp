@@ -33,6 +33,10 @@ inline std::uint64_t rest_ticks(double seconds, double tick_s) {
 struct StopStep {
     std::uint32_t ticks = 1;
     std::int32_t change = 0;
+
+    friend bool operator==(const StopStep& a, const StopStep& b) {
+        return a.ticks == b.ticks && a.change == b.change;
+    }
 };
 
 /// A stop branch: steps from the rate 1 to rest that the core may begin kStopLead ticks after

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lets words into the queue of pieces: whole pieces of valid words, one after the other; a stop
-// branch may stand before each.
+// branch may stand before each, with steps or with those of the one before.
 // Clocks: rtl/queue/frame_entry.sv; ticks_o and final_o with piece_o, a piece's last word, and
 // until the clock after. ds_o: data_o passes, and is the path length; with turn_i only.
 // Word format: hls/words.hpp.  Twin: PieceEntry of hls/word_entry.hpp.
@@ -33,6 +33,8 @@ module piece_entry (
   logic [3:0] tag;
   logic [3:0] next_tag;
   logic stop_q;  // the piece has a branch
+  logic known_q;  // one came whose steps another may have again
+  logic again;
   logic stops;
   logic complete;
   logic ds;
@@ -41,24 +43,27 @@ module piece_entry (
   logic pass;
   assign stops    = data_o[words_pkg::TagLow+:words_pkg::TagBits] == words_pkg::TagStop;
   assign tag      = (tag_q == words_pkg::TagPiece && !stop_q && stops) ? words_pkg::TagStop : tag_q;
+  assign again    = data_o[words_pkg::StopAgainLow];
   assign complete = tag == words_pkg::TagC3;
   assign ds       = tag == words_pkg::TagDs;
   assign checked  = tag == words_pkg::TagC1 || tag == words_pkg::TagC2 || complete;
   assign ds_o     = pass && ds;
   always_comb begin
     next_tag = tag + 4'd1;
-    if (complete) next_tag = words_pkg::TagPiece;
+    if (complete || (tag == words_pkg::TagStop && again)) next_tag = words_pkg::TagPiece;
     if (tag == words_pkg::TagStep)
       next_tag = data_o[words_pkg::StepLastLow] ? words_pkg::TagPiece : words_pkg::TagStep;
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      tag_q  <= words_pkg::TagPiece;
-      stop_q <= 1'b0;
+      tag_q   <= words_pkg::TagPiece;
+      stop_q  <= 1'b0;
+      known_q <= 1'b0;
     end else if (pass) begin
       tag_q <= next_tag;
       if (tag == words_pkg::TagStop) stop_q <= 1'b1;
       if (tag == words_pkg::TagPiece) stop_q <= 1'b0;
+      if (tag == words_pkg::TagStep) known_q <= 1'b1;
     end
   end
 
@@ -104,7 +109,7 @@ module piece_entry (
   logic wait_word;
   logic step_word;
   assign wait_word = data_o[words_pkg::StopWaitBits-1:0] != '0 &&
-      data_o[words_pkg::TagLow-1:words_pkg::StopWaitBits] == '0;
+      data_o[words_pkg::TagLow-1:words_pkg::StopAgainLow+1] == '0 && (known_q || !again);
   assign step_word = data_o[words_pkg::StepTicksBits-1:0] != '0;
   always_comb begin
     case (tag)

@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
                                                     {"Exponent", kExponentField},
                                                     {"Final", kFinalField},
                                                     {"StopWait", kStopWaitField},
+                                                    {"StopAgain", kStopAgainField},
                                                     {"StepTicks", kStepTicksField},
                                                     {"StepChange", kStepChangeField},
                                                     {"StepLast", kStepLastField},

@@ -3,7 +3,7 @@
 `default_nettype none
 package words_pkg;
 
-  localparam int Version = 5;
+  localparam int Version = 6;
 
   localparam logic [3:0] TagLength = 4'd1;
   localparam logic [3:0] TagTheta = 4'd2;
@@ -56,6 +56,8 @@ package words_pkg;
   localparam int FinalBits = 1;
   localparam int StopWaitLow = 0;
   localparam int StopWaitBits = 20;
+  localparam int StopAgainLow = 20;
+  localparam int StopAgainBits = 1;
   localparam int StepTicksLow = 0;
   localparam int StepTicksBits = 11;
   localparam int StepChangeLow = 11;

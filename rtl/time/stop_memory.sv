@@ -8,7 +8,8 @@
 //                                        on their way already
 //
 // If time does not rest in that tick or in one until then the branch only reports the time until
-// the next one, and so does a program's first piece without one.
+// the next one, and so does a program's first piece without one. A branch without steps of its own,
+// again, has those that were loaded last.
 //
 // step_valid_o comes 3 clocks after the last step was taken.
 `default_nettype none
@@ -68,6 +69,8 @@ module stop_memory #(
 
   // The branch before the next piece
   logic bank_q;  // its own
+  logic fresh_q;  // .. has steps that no branch has begun with
+  logic own;  // the word is of a branch with steps of its own
   logic loaded_q;
   logic [19:0] loaded_wait_q;
   logic [Address-1:0] write_q;
@@ -75,16 +78,20 @@ module stop_memory #(
   logic accept;
   logic [Count-1:0] gap_q;  // path time since the last report, Lead - 1 at most
   logic apart;
+  assign own    = stop_write_i && !word_i[words_pkg::StopAgainLow];
   assign apart  = gap_q == Count'(Lead - 1);
   assign tells  = take_i && (loaded_q || first_i) && apart;
   assign accept = take_i && loaded_q && taken_steady && apart;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       bank_q   <= 1'b0;
+      fresh_q  <= 1'b0;
       loaded_q <= 1'b0;
       gap_q    <= Count'(Lead - 1);
     end else begin
-      if (accept) bank_q <= !bank_q;
+      if (accept && fresh_q) bank_q <= !bank_q;
+      if (own) fresh_q <= 1'b1;
+      else if (accept) fresh_q <= 1'b0;
       if (stop_write_i) loaded_q <= 1'b1;
       else if (take_i) loaded_q <= 1'b0;
       if (tells) gap_q <= '0;

@@ -55,7 +55,8 @@ bool KernelBoard::piece_queued() {
         const std::uint64_t word = profile_.words.front();
         const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
         if (tag == hls::Tag::kStop) {
-            stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, word)));
+            stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, word)),
+                             hls::get(hls::kStopAgainField, word) != 0);
         } else if (tag == hls::Tag::kStep) {
             stops_.load_step(hls::unpack_step(word));
         } else {

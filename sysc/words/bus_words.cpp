@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "hls/path_outputs.hpp"
 #include "hls/quantise.hpp"
@@ -99,16 +100,21 @@ std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size
     const auto branch =
         std::lower_bound(plan.branches.begin(), plan.branches.end(), index, is_before);
     if (branch != plan.branches.end() && branch->piece == index) {
-        words.push_back(hls::pack_stop(static_cast<std::int32_t>(branch->wait)));
+        std::vector<std::uint64_t> steps;
         for (const ref::StopStep& step : branch->steps) {
-            words.push_back(hls::pack(hls::to_words(step, &step == &branch->steps.back())));
+            steps.push_back(hls::pack(hls::to_words(step, &step == &branch->steps.back())));
         }
+        const bool again = steps == steps_;
+        words.push_back(hls::pack_stop(static_cast<std::int32_t>(branch->wait), again));
+        if (!again) words.insert(words.end(), steps.begin(), steps.end());
+        steps_ = std::move(steps);
     }
     words.resize(words.size() + hls::kProfileBusWords);
     hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(count_++),
               &words[words.size() - hls::kProfileBusWords]);
     check_.seal(&words[first], words.size() - first);
     if (index + 1 == plan.pieces.size()) output_ = 0;
+    if (plan.pieces[index].final) steps_.clear();
     return words;
 }
 

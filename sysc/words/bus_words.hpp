@@ -80,7 +80,8 @@ class ProfileWriter {
         : check_(digest), outputs_(outputs) {}
 
     /// Returns the words of the next piece, number `index` of this part of its plan: those of
-    /// changes of outputs up to its end, of the branch before it, if there is one, and five.
+    /// changes of outputs up to its end, of the branch before it, if there is one, and five. Steps
+    /// that are those of the branch before are left out.
     std::vector<std::uint64_t> write(const ref::Plan& plan, std::size_t index);
     /// Returns the words of changes of outputs that come before the next wait of this part, where
     /// the path is now; changes behind that wait follow.
@@ -93,9 +94,10 @@ class ProfileWriter {
     hls::WordCheck check_;
     std::optional<OutputWriter> outputs_;
     std::size_t count_ = 0;
-    std::uint64_t path_ = 0;  // before the next piece, quanta
-    std::size_t output_ = 0;  // next one of the part
-    int waits_ = 0;           // that are passed
+    std::vector<std::uint64_t> steps_;  // of the program's last branch
+    std::uint64_t path_ = 0;            // before the next piece, quanta
+    std::size_t output_ = 0;            // next one of the part
+    int waits_ = 0;                     // that are passed
 };
 
 }  // namespace curvecore::sysc

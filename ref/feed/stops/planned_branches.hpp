@@ -25,8 +25,13 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
 /// Ticks of the profile that pass during a stop.
 double ticks_passed(const StopSteps& steps);
 
-/// Number of words of a branch, and of a plan's pieces with theirs, in the profile queue.
-inline std::size_t branch_words(const PlannedBranch& branch) { return 1 + branch.steps.size(); }
+/// Number of words of a branch in the profile queue; with steps that are those of the branch before
+/// it has one.
+inline std::size_t branch_words(const PlannedBranch& branch,
+                                const PlannedBranch* before = nullptr) {
+    return 1 + (before != nullptr && before->steps == branch.steps ? 0 : branch.steps.size());
+}
+/// .. and of a plan's pieces with their branches.
 std::size_t profile_words(const Plan& plan);
 
 /// Longest time from a hold at the rate 1 to rest, ticks; 0: the plan has no branches.

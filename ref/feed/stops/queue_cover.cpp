@@ -39,9 +39,13 @@ Ends ends_of_segments(const Geometry& geometry, const PlanOptions& options) {
 Ends ends_of_pieces(const Plan& plan) {
     Ends ends;
     auto branch = plan.branches.begin();
+    const PlannedBranch* before = nullptr;
     for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
         std::size_t words = kProfileBusWords;
-        if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
+        if (branch != plan.branches.end() && branch->piece == i) {
+            words += branch_words(*branch, before);
+            before = &*branch++;
+        }
         ends.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
     }
     return ends;

@@ -215,6 +215,7 @@ void Assembly::jump(const std::string& to, int f0, bool flag) {
 void Assembly::branch(const std::string& to, int condition) { jump(to, condition); }
 
 void Assembly::call(const std::string& subroutine) {
+    if (left_out_.count(subroutine) != 0) return;
     jump(subroutine, engine::kCall | engine::kNot);
 }
 

@@ -129,7 +129,10 @@ class Assembly {
     void open_further();
     /// Makes page X that of these words again, behind open_auxiliary().
     void close_axes();
+    /// Nothing, for a subroutine that was left out.
     void call(const std::string& subroutine);
+    /// Says that a subroutine has nothing to do, and does not come.
+    void leave_out(const std::string& subroutine) { left_out_.insert(subroutine); }
     void give_back(int condition = engine::kNot | engine::kNever);
     /// Waits for the tick, then goes on at a label.
     void wait(const std::string& next);
@@ -184,6 +187,7 @@ class Assembly {
     int further_words_ = 0;
     std::vector<Start> starts_;
     std::set<std::string> of_axes_;  // what call_for_axes() calls
+    std::set<std::string> left_out_;
     std::map<std::string, std::int64_t> definitions_;
     std::map<std::string, int> places_of_;  // places of words, by the labels that they are of
 };

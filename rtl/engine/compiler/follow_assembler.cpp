@@ -34,13 +34,28 @@ class WordsBehindAxes {
         }
     }
 
+    /// Leaves out what has nothing to do; before it is called.
+    void leave_out() {
+        if (axes_ > kFirstAuxiliary) return;
+        assembly_.leave_out("land_auxiliary");
+        if (further_.empty()) assembly_.leave_out("fetch_auxiliary");
+    }
+
     void write() {
+        if (axes_ > kFirstAuxiliary) write_land();
+        if (axes_ > kFirstAuxiliary || !further_.empty()) write_fetch();
+    }
+
+  private:
+    void write_land() {
         begin("land_auxiliary");
         for (int axis = kFirstAuxiliary; axis < axes_; ++axis) {
             assembly_.from({"", 0, fmt::format("fine[{0}] = end[{0}]", axis)});
             assembly_.copy(word("fine", axis), word("end", axis));
         }
         end();
+    }
+    void write_fetch() {
         begin("fetch_auxiliary");
         for (int axis = kFirstAuxiliary; axis < axes_; ++axis) {
             fetch("start", axis, hls::kPointField.bits);
@@ -53,8 +68,6 @@ class WordsBehindAxes {
         fetch_further();
         assembly_.give_back();
     }
-
-  private:
     void begin(const std::string& label) {
         assembly_.from({"", 0, label});
         assembly_.label(label);
@@ -124,9 +137,11 @@ void assemble_follow(const std::string& programs, const std::vector<ref::CurveTa
         throw AssemblyError(
             fmt::format("segment.asm: error: the queue holds whole segments, of {} words", words));
     }
+    WordsBehindAxes behind(core, assembly);
+    behind.leave_out();
     assemble_source(programs + "/follow.asm", assembly);
     assemble_source(programs + "/segment.asm", assembly);
-    WordsBehindAxes(core, assembly).write();
+    behind.write();
     assemble_curves(tables, core, assembly, "measure_step", "drawn");
 }
 

@@ -16,7 +16,7 @@ constexpr int kFirstAuxiliary = 3;
 constexpr int kPage = 1;      // of auxiliary axes: that of their places
 constexpr int kProduct = 45;  // what MULR drops
 
-/// Programs of the auxiliary axes, as places.asm has them for X, Y and Z.
+/// Programs of the auxiliary axes, of which there are some, as places.asm has them for X, Y and Z.
 class AuxiliaryPlaces {
   public:
     AuxiliaryPlaces(const ref::CoreParameters& core, Assembly& assembly)
@@ -37,7 +37,7 @@ class AuxiliaryPlaces {
             put_place(axis);
         });
         begin("read_auxiliary_scales");
-        if (axes_ > kFirstAuxiliary) assembly_.open_auxiliary(kPage);
+        assembly_.open_auxiliary(kPage);
         for (int axis = kFirstAuxiliary; axis < axes_; ++axis) {
             const Field scale = word("scale", axis);
             in("scale_low", scale);
@@ -55,19 +55,19 @@ class AuxiliaryPlaces {
         assembly_.label(label);
     }
     void end() {
-        if (axes_ > kFirstAuxiliary) assembly_.close_axes();
+        assembly_.close_axes();
         assembly_.give_back();
     }
     /// A subroutine that calls others for each axis.
     void subroutine(const std::string& label, const std::function<void(int)>& body) {
         const Field link{engine::kPortLink, "link"};
         begin(label);
-        if (axes_ > kFirstAuxiliary) assembly_.put(Op::kIn, kept(), link, {}, false, 1);
+        assembly_.put(Op::kIn, kept(), link, {}, false, 1);
         for (int axis = kFirstAuxiliary; axis < axes_; ++axis) {
             assembly_.from({"", 0, fmt::format("{}, axis {}", label, axis)});
             body(axis);
         }
-        if (axes_ > kFirstAuxiliary) assembly_.put(Op::kOut, {}, kept(), link, false, 1);
+        assembly_.put(Op::kOut, {}, kept(), link, false, 1);
         end();
     }
 
@@ -107,8 +107,14 @@ void assemble_places(const std::string& programs, const ref::CoreParameters& cor
     assembly.define("position_room", kProduct - core.position_bits);
     assembly.define("far_bound", kProduct + 1 - rate_bits);
     assembly.define("rate_room", 30 - rate_bits);
+    if (core.aux_axes == 0) {
+        for (const char* name :
+             {"place_auxiliary", "place_auxiliary_positions", "read_auxiliary_scales"}) {
+            assembly.leave_out(name);
+        }
+    }
     assemble_source(programs + "/places.asm", assembly);
-    AuxiliaryPlaces(core, assembly).write();
+    if (core.aux_axes > 0) AuxiliaryPlaces(core, assembly).write();
 }
 
 }  // namespace curvecore::assembler

@@ -31,8 +31,8 @@ tick_is_due:
   if zero go to sample
   test active + 0, 1 limb
   if zero go to fetch
-  left = end - time
-  test one - left
+  left = time - end
+  test left + 2^16
   if negative go to sample     # the piece does not end in this tick
 fetch:                         # first the next one, with its branch
   call fetch_piece
@@ -68,9 +68,9 @@ guarded:
   if negative go to aimed
   if zero go to aimed
   target = port override_in, 2 limbs
-  test target - one, 2 limbs     # the rate 1: rate.asm
+  test target - 2^16, 2 limbs    # the rate 1
   if negative go to aimed
-  target = one, 2 limbs
+  target = 0 + 2^16, 2 limbs
 aimed:
   call rate_tick
   port path_active = active, 1 limb

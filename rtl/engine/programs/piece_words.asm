@@ -5,6 +5,7 @@
 word pieces = 0, 2 limbs                   # whole ones in the queue, with their branches
 word piece_inside = 0, 1 limb              # 0: the next frame is its program's first
 word piece_number = 0, 1 limb              # of the next one, modulo 2^8
+word most_again = 0, 2 limbs               # wait of a branch without steps; 0: none has come
 word piece_ticks
 word piece_select piece_put ends_lead path_lead
 local entry_link entry_fault entering
@@ -36,8 +37,7 @@ of_piece:
   high = floor(t * 2^11 >> 45), 1 limb     # final, e
   e = final * 2^6, 1 limb
   e = high - e, 1 limb
-  e = e + 1, 1 limb                        # 46 at most
-  e = e - 32, 1 limb
+  e = e - 31, 1 limb                       # 46 at most
   test e - 16, 1 limb
   if not negative go to bad_word
   m = high * 2^5, 1 limb
@@ -88,8 +88,14 @@ stop_word:
   piece_inside = 1, 1 limb
   t = entering - 2^44
   if zero go to bad_word
-  test t - 2^20
+  t = t - 2^20                             # again
+  if negative go to own_steps
+  if zero go to bad_word
+  test t - most_again
   if not negative go to bad_word
+  go to branch_whole
+own_steps:
+  most_again = 0 + 2^20, 2 limbs
 next_step:
   call next_piece
 step_word:
@@ -99,5 +105,6 @@ step_word:
   piece_select = piece_select - 4, 1 limb
   test entering * 2^1                      # last
   if not negative go to next_step
+branch_whole:
   piece_select = piece_select - 2, 1 limb
   go to next_frame

@@ -16,9 +16,8 @@ word pieces                                # whole pieces, with their branches: 
 word profile_words
 word ticks m e next next_ds next_final next_c1 next_c2 next_c3        # path.asm
 word branch loading                        # stops.asm
-word loaded                                # entries of the branch
+word loaded                                # entries of the last branch; 0: none that is not in use
 data bank_entries = 768                    # kStopSteps, of three entries
-data second_bit = 17592186044416           # 2^44: the tag's low two bits are 1
 
 local word_here above place more
 
@@ -34,7 +33,7 @@ taken_from:
   port address = piece_take, 2 limbs
   word_here = port memory
   if negative go to load_step
-  above = word_here - second_bit
+  above = word_here - 2^44
   if not negative go to load_wait
 
   above = floor(word_here * 2^25 >> 45)    # bits 19:0 are the ticks,
@@ -60,8 +59,11 @@ taken_from:
   go to piece
 
 load_wait:
+  branch = above - 2^20, 2 limbs           # again: its steps are there
+  if not negative go to wait_loaded
   branch = above, 2 limbs
   loaded = 0, 1 limb
+wait_loaded:
   profile_words = profile_words - 1, 2 limbs
   piece_take = piece_take + 3, 2 limbs
   return
@@ -69,14 +71,14 @@ load_wait:
 load_step:
   more = 1, 1 limb
   loop
+    test loaded - bank_entries, 1 limb
+    if not zero go to bank_has_room
+    loaded = 0, 1 limb
+bank_has_room:
     place = loading + loaded, 2 limbs
     port address = place, 2 limbs
     port memory = word_here
     loaded = loaded + 3, 1 limb
-    test loaded - bank_entries, 1 limb
-    if not zero go to step_loaded
-    loaded = 0, 1 limb
-step_loaded:
     profile_words = profile_words - 1, 2 limbs
     piece_take = piece_take + 3, 2 limbs
     test piece_take - profile_end, 2 limbs

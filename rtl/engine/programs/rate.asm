@@ -38,8 +38,7 @@ word active idle                           # path.asm
 word steady                                # the tick rests: path.asm
 local obeyed passed same high goal acceleration max_slope rest faster from between
 data idle_ticks = 16
-data one = 65536                           # the rate 1 ..
-data one_scaled = 4294967296               # .. with 32 fraction bits
+data one_scaled = 4294967296               # the rate 1 with 32 fraction bits; 2^16 with 16
 data border = 3758096384                   # 7/8 with 32 fraction bits
 data bank_entries = 768                    # kStopSteps, of three entries
 data most_rest = 31                        # kStopLead - 1
@@ -84,7 +83,7 @@ paces:                                     # pass
   passed = 0, 2 limbs
   ahead = ahead - aimed, 2 limbs
   if not negative go to count
-  ahead = ahead + one, 2 limbs
+  ahead = ahead + 2^16, 2 limbs
   go to passes
 arrives:                                   # it lands
   rest = target - 2^15, 2 limbs

@@ -11,6 +11,7 @@ word branch = 0, 2 limbs                   # wait of the branch before the next 
 word reading = stop_begin                  # a bank: the steps that a stop takes ..
 word read                                  # .. and how many entries it has taken
 word loading = stop_middle                 # the other bank: the steps before the next piece
+word loaded                                # pieces.asm
 word steady active                         # rate.asm, path.asm
 data most_rest = 31                        # kStopLead - 1
 
@@ -31,6 +32,9 @@ counts:
   begins = steady, 1 limb
   if zero go to passed
   read = 0, 1 limb
+  test loaded + 0, 1 limb
+  if zero go to passed                     # again: they are where they are read
+  loaded = 0, 1 limb
   reading = reading + loading              # the banks change places
   loading = reading - loading
   reading = reading - loading

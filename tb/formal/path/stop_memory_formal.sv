@@ -3,13 +3,15 @@
 // first tick before which Lead - 1 ticks of path time have passed since the one in which its
 // piece began, a first piece without one as if it had one with a wait of 1, and nothing else is;
 // not before the branch under way was announced. It begins if time rests in that tick and in all
-// since.
+// since; its first step is that of its own, or of the last branch that had some.
 // control: ANY_RATE s/loaded_q \&\& taken_steady/loaded_q/
 // control: CHANGED s/tick_i \&\& !steady_i) begins_o/1'b0) begins_o/
 // control: ON_ITS_WAY s/told_q \&\& calm_q < under_way_q/1'b0/
 // control: EARLY s/left_q <= Count'(Lead - 1)/left_q <= Count'(Lead - 2)/
 // control: EVERY_TICK s/passes = tick_i \&\& passed_i/passes = tick_i/
 // control: ONLY_STEADY s/(loaded_q || first_i)/(loaded_q \&\& taken_steady || first_i)/
+// control: OTHER_BANK s/if (accept \&\& fresh_q) bank_q/if (accept) bank_q/
+// control: STALE s/else if (accept) fresh_q <= 1'b0;//
 // control: NOT_LOADED s/(loaded_q || first_i)/1'b1/
 // control: NOT_FIRST s/(loaded_q || first_i)/loaded_q/
 // control: BLIND s/- Count'(passes);/;/
@@ -127,6 +129,33 @@ module stop_memory_formal #(
     end
   end
 
+  // Steps, by one bit of the first one of each branch
+  logic again;
+  logic known_q;  // some came
+  logic own_q;  // those of the branch before the next piece come
+  logic [1:0] steps_q;  // .. and so many did
+  logic first_q;  // the first one's bit
+  logic expected_q;  // .. of the branch that began last
+  logic whole_q;  // .. of which nothing is taken
+  assign again = word_i[20];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      known_q <= 1'b0;
+      own_q   <= 1'b0;
+      whole_q <= 1'b0;
+    end else begin
+      if (stop_write_i && !again) own_q <= 1'b1;
+      else if (take_i) own_q <= 1'b0;
+      if (step_write_i) known_q <= 1'b1;
+      if (counts && loaded_q && way_steady_q[0]) whole_q <= 1'b1;
+      else if (step_ready_i && step_valid) whole_q <= 1'b0;
+    end
+    if (stop_write_i) steps_q <= '0;
+    else if (step_write_i) steps_q <= steps_q + 2'd1;
+    if (step_write_i && steps_q == '0) first_q <= word_i[0];
+    if (counts) expected_q <= first_q;
+  end
+
   always_comb begin
     if (!started_q) begin
       assume (!rst_ni);
@@ -139,12 +168,18 @@ module stop_memory_formal #(
       assume (!tick_i || steady_i || passed_i || stop);
       assume (!(take_i && (stop_write_i || step_write_i)));
       if (stop_write_i) assume (word_i[19:0] != '0);
+      if (stop_write_i) assume (!step_write_i && !loaded_q && (known_q || !again));
+      if (step_write_i) assume (own_q && steps_q != 2'(Steps));
+      if (take_i) assume (!own_q || steps_q != '0);
 
       if (tick_i) begin
         Due : assert (next_wait == (due ? due_wait_q : '0));
         if (due) Begins : assert (begins == (due_begins_q && rests));
       end
 
+      if (whole_q && step_valid) First : assert (step[0] == expected_q);
+
+      Again : cover (whole_q && step_valid && loaded_q && !own_q);
       Twice : cover (counts && second_q);
       Taken : cover (tick_i && next_wait != '0 && begins && step_valid);
       Passed : cover (tick_i && next_wait > 20'd1 && !begins);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/piece_entry.sv, for any words: they pass as pieces, word by word, of consecutive
-// numbers, each with a stop branch before it or without; a word passes exactly if it is valid by
-// hls/words.hpp, and has the check of those before it in its program, begun with the digest; whole
-// pieces alone are counted, each with the ticks and final of its own words; a path length is
-// reported as it passes.
+// numbers, each with a stop branch before it or without, which has steps, or those of one before
+// it; a word passes exactly if it is valid by hls/words.hpp, and has the check of those before it
+// in its program, begun with the digest; whole pieces alone are counted, each with the ticks and
+// final of its own words; a path length is reported as it passes.
 // control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
@@ -12,8 +12,9 @@
 // control: ONE_PROGRAM s/.last_i(final_o)/.last_i(1'b0)/
 // control: SEVERAL_FINALS s/(pass \&\& tag == words_pkg::TagPiece)/(pass)/
 // control: TWO_BRANCHES s/\&\& !stop_q \&\& stops/\&\& stops/
+// control: UNKNOWN s/(known_q || !again)/1'b1/
 // control: ENDLESS s/data_o\[words_pkg::StepLastLow\] ?/1'b0 ?/
-// control: NO_RESET s/tag_q  <= words_pkg::TagPiece;/tag_q <= tag_q;/
+// control: NO_RESET s/tag_q   <= words_pkg::TagPiece;/tag_q <= tag_q;/
 `default_nettype none
 module piece_entry_formal (
     input wire logic        clk_i,
@@ -59,6 +60,7 @@ module piece_entry_formal (
   logic [1:0] branch_q;  // 0 none, 1 a step has to come, 2 it is complete
   logic steps;
   logic stop;
+  logic known_q;  // a branch came whose steps another may have
   assign steps = branch_q == 2'd1;
   assign stop  = place_q == '0 && branch_q == 2'd0 && data[47:44] == 4'd13;
   logic [7:0] pieces_q;
@@ -76,15 +78,17 @@ module piece_entry_formal (
       place_q  <= '0;
       branch_q <= '0;
       pieces_q <= '0;
+      known_q  <= 1'b0;
       held_q   <= 1'b0;
     end else begin
       if (pass && steps) branch_q <= data[43] ? 2'd2 : 2'd1;
-      else if (pass && stop) branch_q <= 2'd1;
+      else if (pass && stop) branch_q <= data[20] ? 2'd2 : 2'd1;
       else if (pass) begin
         branch_q <= '0;
         place_q  <= place_q == 3'd4 ? 3'd0 : place_q + 3'd1;
         if (place_q == 3'd4) pieces_q <= pieces_q + 8'd1;
       end
+      if (pass && steps) known_q <= 1'b1;
       if (ready) held_q <= valid_i && !cut_i && fault == 2'b00;
     end
     if (pass && place_q == 3'd0 && !steps && !stop) begin
@@ -133,7 +137,7 @@ module piece_entry_formal (
     end
     if (data[47:44] != 4'd8 + {1'b0, place_q}) can_be = 1'b0;
     // A wait, ticks: not 0
-    if (stop) can_be = data[19:0] != '0 && data[43:20] == '0;
+    if (stop) can_be = data[19:0] != '0 && data[43:21] == '0 && (known_q || !data[20]);
     if (steps) can_be = data[47:44] == 4'd14 && data[10:0] != '0;
   end
 
@@ -148,6 +152,7 @@ module piece_entry_formal (
 
       SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
       Branch : cover (branch_q == 2'd2 && pieces_q == 8'd1);
+      Again : cover (piece && known_q && stop && data[20]);
       Refused : cover (fault == 2'b01 && pieces_q == 8'd1 && place_q == 3'd3);
     end
   end

@@ -59,10 +59,13 @@ class PathTimeComparison : public TimeComparison {
             if (random() % (&piece == pieces.data() ? 2 : 3) != 0) {
                 const auto wait = static_cast<std::int32_t>(
                     random() % 20 == 0 ? 1 + random() % ((1 << 20) - 1) : 1 + random() % 120);
-                words_of_.push_back({hls::pack_stop(wait), 0, false});
-                const std::uint64_t steps = random() % 40 == 0 || &piece == pieces.data()
-                                                ? 257 + random() % 7
-                                                : 1 + random() % 9;
+                const bool again = known_ && random() % 3 == 0;
+                words_of_.push_back({hls::pack_stop(wait, again), 0, false});
+                std::uint64_t steps = random() % 40 == 0 || &piece == pieces.data()
+                                          ? 256 + random() % 8
+                                          : 1 + random() % 9;
+                if (again) steps = 0;
+                known_ = true;
                 for (std::uint64_t n = 1; n <= steps; ++n) {
                     words_of_.push_back({hls::pack(any_step(random, n == steps)), 0, false});
                 }
@@ -155,7 +158,9 @@ class PathTimeComparison : public TimeComparison {
         for (;;) {
             const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, queue_.front()));
             if (tag == hls::Tag::kStop) {
-                stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, pop())));
+                const std::uint64_t word = pop();
+                stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, word)),
+                                 hls::get(hls::kStopAgainField, word) != 0);
             } else if (tag == hls::Tag::kStep) {
                 stops_.load_step(hls::unpack_step(pop()));
             } else {
@@ -171,6 +176,7 @@ class PathTimeComparison : public TimeComparison {
     std::int64_t ticks_ = 0;  // of the queued pieces
     std::int64_t finals_ = 0;
     std::int64_t pieces_ = 0;
+    bool known_ = false;  // a branch came whose steps another may have
     int put_ = kProfileBegin;
 };
 

@@ -97,7 +97,7 @@ TEST(RateMicrocode, AChangedInstructionIsSeen) {
             MicrocodeMachine path_machine(code.assembly, program, &trace);
             PathTimeComparison path(code, path_machine);
             std::mt19937_64 random(1);
-            for (std::uint32_t n = 1; n <= 40; ++n) {
+            for (std::uint32_t n = 1; n <= 80; ++n) {
                 for (int part = 0; part < 8; ++part) {
                     rate.ticks(random, part % 3 == 0 ? 4 : part % 3 == 1 ? 300 : 80);
                 }

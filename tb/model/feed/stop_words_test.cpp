@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "hls/stop_schedule.hpp"
 #include "hls/word_entry.hpp"
@@ -14,9 +15,11 @@ namespace {
 using hls::Entry;
 using hls::StopStep;
 
-std::vector<std::uint64_t> piece_words(unsigned sequence) {
+std::vector<std::uint64_t> piece_words(unsigned sequence, bool final = false) {
     std::vector<std::uint64_t> words(hls::kProfileBusWords);
-    hls::pack(hls::ProfileWords(), sequence, words.data());
+    hls::ProfileWords piece;
+    piece.final = final;
+    hls::pack(piece, sequence, words.data());
     return words;
 }
 
@@ -56,6 +59,25 @@ TEST(StopWords, ThatCannotBeAreRefused) {
     EXPECT_EQ(enter({kBranch[1]}).at(0), Entry::kBadWord) << "a step without a stop";
     EXPECT_EQ(enter({kBranch[0], kBranch[1], piece_words(0)[0]}).at(2), Entry::kBadWord)
         << "no last step";
+}
+
+TEST(StopWords, OfTheBranchBeforeComeAloneBehindOneWithSteps) {
+    const auto stream = [](const std::vector<bool>& again, std::size_t final) {
+        hls::WordCheck check;
+        std::vector<std::uint64_t> words;
+        for (unsigned n = 0; n < again.size(); ++n) {
+            auto frame = joined(again[n] ? std::vector{hls::pack_stop(7, true)} : kBranch,
+                                piece_words(n, n == final));
+            check.seal(frame.data(), frame.size());
+            words = joined(words, frame);
+        }
+        return enter(words);
+    };
+    for (const Entry entry : stream({false, true, true, false, true}, 2)) {
+        EXPECT_TRUE(entry == Entry::kPassed || entry == Entry::kCompleted);
+    }
+    EXPECT_EQ(stream({true}, 9).at(0), Entry::kBadWord) << "none before";
+    EXPECT_EQ(enter({hls::pack_stop(7) | std::uint64_t{1} << 21}).at(0), Entry::kBadWord);
 }
 
 TEST(StopWords, KeepTheirSteps) {
@@ -100,6 +122,39 @@ class Stops {
     hls::TimeScaler scaler_{1 << 14, 1 << 20};  // 4,000 ticks and some to rest
     hls::StopSchedule schedule_;
 };
+
+/// A branch with the steps of the one before is what it would be with steps of its own.
+TEST(StopSchedule, ABranchAgainIsTheOneBefore) {
+    std::mt19937 random(1);
+    for (int run = 0; run < 200; ++run) {
+        hls::StopSchedule own, again;
+        hls::TimeScaler own_scaler{1 << 14, 1 << 20}, again_scaler{1 << 14, 1 << 20};
+        std::vector<StopStep> steps;
+        std::int32_t target = kOne;
+        for (int tick = 0; tick < 600; ++tick) {
+            if (random() % 50 == 0) target = random() % 2 == 0 ? 0 : kOne;
+            const std::int32_t rate = own.tick(own_scaler, target, false);
+            ASSERT_EQ(rate, again.tick(again_scaler, target, false)) << run << ", tick " << tick;
+            if (random() % 8 != 0) continue;
+            const bool fresh = steps.empty() || random() % 3 == 0;
+            if (fresh) {
+                const auto log2 = static_cast<int>(2 + random() % 4);
+                const auto change = static_cast<std::int32_t>((std::int64_t{1} << 32) >> 2 * log2);
+                steps = {{1 << log2, -change, false}, {1 << log2, change, true}};
+            }
+            const auto wait = static_cast<std::int32_t>(1 + random() % 100);
+            own.load_wait(wait);
+            again.load_wait(wait, !fresh);
+            for (const StopStep& step : steps) {
+                own.load_step(step);
+                if (fresh) again.load_step(step);
+            }
+            const bool first = random() % 20 == 0;
+            own.begin_piece(first);
+            again.begin_piece(first);
+        }
+    }
+}
 
 TEST(StopSchedule, AStopBeginsWhereTheBranchDoes) {
     Stops stops;

@@ -20,6 +20,7 @@
 #include "tb/support/bench/motion_ports.hpp"
 #include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/segments/random_pieces.hpp"
+#include "tb/support/segments/random_stops.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
@@ -71,12 +72,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         for (const hls::ProfileWords& words : pieces) {
             pieces_.push_back(words);
             stops_.push_back(stop_before(stops_.size()));
-            std::vector<uint64_t> bus;
-            if (stops_.back().wait > 0) {
-                bus.push_back(hls::pack_stop(stops_.back().wait));
-                for (const hls::StopStep& step : stops_.back().steps)
-                    bus.push_back(hls::pack(step));
-            }
+            std::vector<uint64_t> bus = branches_.words(stops_.back());
+            if (words.final) branches_ = {};
             bus.resize(bus.size() + hls::kProfileBusWords);
             hls::pack(words, piece_sequence_++, &bus[bus.size() - hls::kProfileBusWords]);
             piece_check_.seal(bus.data(), bus.size());
@@ -111,39 +108,10 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         std::copy(std::begin(from), std::end(from), std::begin(to));
     }
 
-    struct Stop {
-        int32_t wait = 0;  // 0: none
-        std::vector<hls::StopStep> steps;
-    };
-
     Stop stop_before(std::size_t piece) {
         if (piece < planned_stops_.size()) return planned_stops_[piece];
-        return branch_percent_ > 0 && go(100 - branch_percent_) ? any_stop() : Stop();
-    }
-
-    /// A random stop, usually from the rate 1 to 0, in up to 300 ticks.
-    Stop any_stop() {
-        Stop stop;
-        stop.wait = static_cast<int32_t>(1 + random_() % static_cast<unsigned>(most_wait_));
-        if (random_() % 5 == 0) {
-            for (int n = 1 + static_cast<int>(random_() % 40); n > 0; --n) {
-                const auto change = static_cast<int32_t>(random_() >> (random_() % 30));
-                const bool first = stop.steps.empty();
-                stop.steps.push_back({static_cast<int32_t>(1 + random_() % 3),
-                                      first ? change | INT32_MIN : change, n == 1});
-            }
-            return stop;
-        }
-        const int log2 = 3 + static_cast<int>(random_() % 5);
-        const int32_t change = static_cast<int32_t>((int64_t{1} << 32) >> (2 * log2));
-        for (const int sign : {-1, 1}) {
-            for (int left = 1 << log2; left > 0;) {
-                const int ticks = std::min(left, 1 + static_cast<int>(random_() % 20));
-                left -= ticks;
-                stop.steps.push_back({ticks, sign * change, sign > 0 && left == 0});
-            }
-        }
-        return stop;
+        return branch_percent_ > 0 && go(100 - branch_percent_) ? random_stops_.any(most_wait_)
+                                                                : Stop();
     }
 
     /// Sets the ticks in which the pieces draw each segment: whole pieces only, so never too many.
@@ -326,6 +294,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         dut_.reset(1);
         pieces_.clear();
         stops_.clear();
+        branches_ = {};
         schedule_ = {};
         scaler_ = {kAcceleration, kSlope};
         targets_.clear();
@@ -366,6 +335,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     int most_wait_ = 300;              // greatest number of ticks from it to the next one
     std::vector<Stop> planned_stops_;  // stops of the first pieces
     std::vector<Stop> stops_;
+    RandomStops random_stops_{random_};
+    BranchWords branches_;
     hls::StopSchedule schedule_;
     hls::TimeScaler scaler_{kAcceleration, kSlope};
     std::deque<int32_t> targets_;

@@ -49,11 +49,13 @@ class RandomStreams {
         std::uint64_t ticks = 0;
         std::uint64_t path = 0;
         hls::WordCheck check(digest_);
+        bool known = false;  // a branch whose steps another may have
         for (std::uint64_t n = 0; n < pieces; ++n) {
             const hls::ProfileWords words = piece(n + 1 == pieces);
             ticks += static_cast<std::uint64_t>(words.ticks);
             path += static_cast<std::uint64_t>(hls::to_int(words.ds));
-            std::vector<std::uint64_t> frame = branch();
+            std::vector<std::uint64_t> frame = branch(known);
+            known = known || frame.size() > 1;
             frame.resize(frame.size() + hls::kProfileBusWords);
             hls::pack(words, piece_number_++, &frame[frame.size() - hls::kProfileBusWords]);
             check.seal(frame.data(), frame.size());
@@ -115,7 +117,7 @@ class RandomStreams {
     }
 
     /// Number of kinds of a word made wrong.
-    static constexpr int kChanges = 28;
+    static constexpr int kChanges = 29;
 
     /// Changes a field of a word to what is at the edge of the legal, or beyond; checks are right.
     void change(Streams& streams, int kind) {
@@ -264,6 +266,13 @@ class RandomStreams {
             case 26:  // a branch within a piece
                 frame[branch + 1 + random_() % 4] = hls::pack_stop(1);
                 return true;
+            case 27:  // a branch without the steps that follow, or without one before it
+                if (branch > 0) frame.front() |= hls::put(hls::kStopAgainField, 1);
+                if (random_() % 2 == 0) {
+                    frame.erase(frame.begin() + (branch > 0 ? 1 : 0),
+                                frame.end() - hls::kProfileBusWords);
+                }
+                return branch > 0;
             default:
                 frame[random_() % frame.size()] ^= bit;
                 return true;
@@ -283,10 +292,13 @@ class RandomStreams {
         return words;
     }
 
-    std::vector<std::uint64_t> branch() {
+    /// A branch, or none; one that is the one before again is valid behind a `known` one alone.
+    std::vector<std::uint64_t> branch(bool known) {
         std::vector<std::uint64_t> words;
-        if (random_() % 4 != 0) return words;
-        words.push_back(hls::pack_stop(static_cast<std::int32_t>(1 + size(19))));
+        if (random_() % 3 != 0) return words;
+        const bool again = known && random_() % 2 == 0;
+        words.push_back(hls::pack_stop(static_cast<std::int32_t>(1 + size(19)), again));
+        if (again) return words;
         const std::uint64_t steps = 1 + random_() % 5;
         for (std::uint64_t n = 0; n < steps; ++n) {
             hls::StopStep step;

@@ -66,7 +66,9 @@ class MotionWords : public MotionInterpolator {
         const std::size_t room = core_configuration().profile_queue_words - hls::kProfileBusWords;
         const auto words = [this](std::size_t piece) {
             const Stop& stop = stops_[piece];
-            return hls::kProfileBusWords + (stop.wait > 0 ? 1 + stop.steps.size() : 0);
+            return hls::kProfileBusWords + (stop.wait == 0 ? 0
+                                            : stop.again   ? 1
+                                                           : 1 + stop.steps.size());
         };
         std::size_t end = 0;
         std::size_t queued = 0;  // words and ticks of first .. end - 1
