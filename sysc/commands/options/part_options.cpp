@@ -2,6 +2,7 @@
 #include "sysc/commands/options/part_options.hpp"
 
 #include "ref/curve/joint_path.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/program_reader.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
