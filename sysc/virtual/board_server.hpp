@@ -21,7 +21,7 @@ struct BoardServerOptions {
     bool fast = false;
     VirtualAxes axes;
     Build build = Build::kEngine;
-    std::shared_ptr<const ref::CurveTable> table;  // null: none
+    std::shared_ptr<const ref::CurveTable> table = nullptr;  // null: none
 };
 
 class BoardServer {
