@@ -13,7 +13,7 @@ from wire_parts import STEPS_PER_MM, Board, WishTest, Wire
 MACHINES = pathlib.Path(__file__).resolve().parents[1] / "data" / "machines"
 # Corners of each part, mm, from where the machine is at home.
 CORNERS = {
-    "delta": [(0, 0, 9.498408), (20, 0, 12), (25, 30, 8), (-15, 20, 10), (0, 0, 9.5)],
+    "delta": [(0, 0, 9.498408), (20, 0, 12), (25, 30, 8), (0, 0, 9.5)],
     "corexy": [(100, 50, 5), (120, 50, 5), (110, 70, 3), (90, 45, 4)],
     "polar": [(51.961524, -30, 5), (20, -20, 5), (20, 20, 4), (-20, 20, 4), (-20, -20, 4),
               (20, -20, 4), (30, 10, 5)],
@@ -121,7 +121,7 @@ class JointsTest(WishTest):
         self.check(board.end())
 
     def test_the_rest_counts_the_turns_that_were_made(self):
-        board = self.begin("polar", feed=1200)
+        board = self.begin("polar")
         wire = Wire(board.port, gate_mm=1600)  # of the joints' path: 152 mm of the tool's
         host = self.stream(wire)
         wire.wait_for_gate()
