@@ -8,7 +8,7 @@ import re
 import sys
 import unittest
 
-from wire_parts import STEPS_PER_MM, Board, WishTest, Wire
+from wire_parts import STATE, STEPS_PER_MM, Board, WishTest, Wire, read, until
 
 MACHINES = pathlib.Path(__file__).resolve().parents[1] / "data" / "machines"
 # Corners of each part, mm, from where the machine is at home.
@@ -18,6 +18,7 @@ CORNERS = {
     "polar": [(51.961524, -30, 5), (20, -20, 5), (20, 20, 4), (-20, 20, 4), (-20, -20, 4),
               (20, -20, 4), (30, 10, 5)],
 }
+HELD = 1 << 17 | 1 << 19  # of STATE: holding, standing
 OFF = 0.02  # mm: half a step of every joint, and the place between the steps of several
 
 
@@ -85,17 +86,16 @@ class JointsTest(WishTest):
         return super().stream(board, "--machine", MACHINES / f"{self.machine}.ini", *options)
 
     def check(self, steps):
-        """The tool of every tenth step is on the lines, and at their end at last."""
+        """The tool of every step is on the lines, and at their end at last."""
         text = (MACHINES / f"{self.machine}.ini").read_text(encoding="ascii")
         joints = [float(home) for home in re.findall(r"HOME = (\S+)", text)]
         corners, forward = CORNERS[self.machine], TOOLS[self.machine]
         worst = 0
-        for n, (_, joint, way) in enumerate(steps):
+        for _, joint, way in steps:
             joints[joint] += way / STEPS_PER_MM
-            if n % 10 == 0:
-                tool = forward(joints)
-                worst = max(worst, min(map(off_line, [tool] * (len(corners) - 1), corners,
-                                           corners[1:])))
+            tool = forward(joints)
+            worst = max(worst, min(map(off_line, [tool] * (len(corners) - 1), corners,
+                                       corners[1:])))
         self.assertLess(worst, OFF)
         self.assertLess(math.dist(forward(joints), corners[-1]), OFF)
         return worst
@@ -114,9 +114,10 @@ class JointsTest(WishTest):
         host = self.stream(wire, "--control", self.wishes, "--override", "99")
         wire.wait_for_gate()
         self.wish("hold")
+        wire.open_gate()
+        until(lambda: read(board.port, STATE) & HELD == HELD)
         self.wish("resume")
         self.wish("override 60")
-        wire.open_gate()
         self.end(host, 0)
         self.check(board.end())
 
