@@ -19,7 +19,7 @@ CORNERS = {
               (20, -20, 4), (30, 10, 5)],
 }
 HELD = 1 << 17 | 1 << 19  # of STATE: holding, standing
-OFF = 0.02  # mm: half a step of every joint, and the place between the steps of several
+OFF = 0.005  # mm: half a step of every joint is 0.00125 mm or degrees, a step that is due as much
 
 
 def delta(towers):
@@ -86,17 +86,21 @@ class JointsTest(WishTest):
         return super().stream(board, "--machine", MACHINES / f"{self.machine}.ini", *options)
 
     def check(self, steps):
-        """The tool of every step is on the lines, and at their end at last."""
+        """The tool of every step is on the line that comes, and at the end of the last at last."""
         text = (MACHINES / f"{self.machine}.ini").read_text(encoding="ascii")
         joints = [float(home) for home in re.findall(r"HOME = (\S+)", text)]
         corners, forward = CORNERS[self.machine], TOOLS[self.machine]
-        worst = 0
+        lines = list(zip(corners, corners[1:]))
+        worst = at = 0
         for _, joint, way in steps:
             joints[joint] += way / STEPS_PER_MM
             tool = forward(joints)
-            worst = max(worst, min(map(off_line, [tool] * (len(corners) - 1), corners,
-                                       corners[1:])))
+            off = off_line(tool, *lines[at])
+            if at + 1 < len(lines) and (behind := off_line(tool, *lines[at + 1])) <= off:
+                at, off = at + 1, behind
+            worst = max(worst, off)
         self.assertLess(worst, OFF)
+        self.assertEqual(at, len(lines) - 1)
         self.assertLess(math.dist(forward(joints), corners[-1]), OFF)
         return worst
 
@@ -128,8 +132,12 @@ class JointsTest(WishTest):
         wire.wait_for_gate()
         host.kill()
         host.communicate()
-        self.end(self.stream(board, "--rest"), 0)
-        self.check(board.end())
+        said = self.end(self.stream(board, "--rest"), 0)
+        self.assertGreater(float(re.search(r"rest --from (\d+\.\d+)mm", said)[1]), 150)
+        steps = board.end()
+        self.check(steps)
+        turned = -30 + sum(way for _, joint, way in steps if joint == 2) / STEPS_PER_MM
+        self.assertAlmostEqual(turned, 360 + math.degrees(math.atan2(10, 30)), delta=0.01)
 
     def test_a_board_without_their_table_is_refused(self):
         for curve, said in ((None, "the board draws no further table, and this program needs the "

@@ -137,6 +137,7 @@ module stop_memory_formal #(
   logic first_q;  // the first one's bit
   logic expected_q;  // .. of the branch that began last
   logic whole_q;  // .. of which nothing is taken
+  logic again_q;  // .. which has the steps of the one before
   assign again = word_i[20];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -154,6 +155,8 @@ module stop_memory_formal #(
     else if (step_write_i) steps_q <= steps_q + 2'd1;
     if (step_write_i && steps_q == '0) first_q <= word_i[0];
     if (counts) expected_q <= first_q;
+    if (!rst_ni) again_q <= 1'b0;
+    else if (counts && loaded_q && way_steady_q[0]) again_q <= !own_q;
   end
 
   always_comb begin
@@ -179,7 +182,7 @@ module stop_memory_formal #(
 
       if (whole_q && step_valid) First : assert (step[0] == expected_q);
 
-      Again : cover (whole_q && step_valid && loaded_q && !own_q);
+      Again : cover (whole_q && step_valid && again_q);
       Twice : cover (counts && second_q);
       Taken : cover (tick_i && next_wait != '0 && begins && step_valid);
       Passed : cover (tick_i && next_wait > 20'd1 && !begins);

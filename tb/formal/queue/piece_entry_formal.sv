@@ -61,6 +61,7 @@ module piece_entry_formal (
   logic steps;
   logic stop;
   logic known_q;  // a branch came whose steps another may have
+  logic again_q;  // the last branch has them
   assign steps = branch_q == 2'd1;
   assign stop  = place_q == '0 && branch_q == 2'd0 && data[47:44] == 4'd13;
   logic [7:0] pieces_q;
@@ -79,6 +80,7 @@ module piece_entry_formal (
       branch_q <= '0;
       pieces_q <= '0;
       known_q  <= 1'b0;
+      again_q  <= 1'b0;
       held_q   <= 1'b0;
     end else begin
       if (pass && steps) branch_q <= data[43] ? 2'd2 : 2'd1;
@@ -89,6 +91,7 @@ module piece_entry_formal (
         if (place_q == 3'd4) pieces_q <= pieces_q + 8'd1;
       end
       if (pass && steps) known_q <= 1'b1;
+      if (pass && stop) again_q <= data[20];
       if (ready) held_q <= valid_i && !cut_i && fault == 2'b00;
     end
     if (pass && place_q == 3'd0 && !steps && !stop) begin
@@ -152,7 +155,7 @@ module piece_entry_formal (
 
       SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
       Branch : cover (branch_q == 2'd2 && pieces_q == 8'd1);
-      Again : cover (piece && known_q && stop && data[20]);
+      Again : cover (piece && again_q);
       Refused : cover (fault == 2'b01 && pieces_q == 8'd1 && place_q == 3'd3);
     end
   end

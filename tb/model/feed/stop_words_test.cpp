@@ -125,18 +125,31 @@ class Stops {
 
 /// A branch with the steps of the one before is what it would be with steps of its own.
 TEST(StopSchedule, ABranchAgainIsTheOneBefore) {
+    constexpr std::int32_t kTargets[] = {0, kOne, 3 * kOne / 4};
     std::mt19937 random(1);
+    int stops = 0;  // that took steps of a branch
     for (int run = 0; run < 200; ++run) {
         hls::StopSchedule own, again;
-        hls::TimeScaler own_scaler{1 << 14, 1 << 20}, again_scaler{1 << 14, 1 << 20};
+        hls::TimeScaler own_scaler{1 << 24, 1 << 27}, again_scaler{1 << 24, 1 << 27};
         std::vector<StopStep> steps;
         std::int32_t target = kOne;
+        bool takes = false;
         for (int tick = 0; tick < 600; ++tick) {
-            if (random() % 50 == 0) target = random() % 2 == 0 ? 0 : kOne;
+            if (random() % 50 == 0) target = kTargets[random() % 3];
             const std::int32_t rate = own.tick(own_scaler, target, false);
-            ASSERT_EQ(rate, again.tick(again_scaler, target, false)) << run << ", tick " << tick;
+            int taken = 0;
+            const auto next_step = [&] {
+                ++taken;
+                return again.next_step();
+            };
+            ASSERT_EQ(rate, again_scaler.tick(target, false, again.due(), next_step))
+                << run << ", tick " << tick;
+            again.count(again_scaler.steady(), again_scaler.passed());
+            if (taken > 0 && !takes) ++stops;
+            takes = taken > 0 || (takes && rate > 0);
             if (random() % 8 != 0) continue;
-            const bool fresh = steps.empty() || random() % 3 == 0;
+            // Seldom, so that the steps of a stop come again behind it.
+            const bool fresh = steps.empty() || random() % 20 == 0;
             if (fresh) {
                 const auto log2 = static_cast<int>(2 + random() % 4);
                 const auto change = static_cast<std::int32_t>((std::int64_t{1} << 32) >> 2 * log2);
@@ -154,6 +167,7 @@ TEST(StopSchedule, ABranchAgainIsTheOneBefore) {
             again.begin_piece(first);
         }
     }
+    EXPECT_GT(stops, 200) << "more than one a run";
 }
 
 TEST(StopSchedule, AStopBeginsWhereTheBranchDoes) {

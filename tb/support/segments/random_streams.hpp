@@ -179,6 +179,7 @@ class RandomStreams {
         std::uint64_t& head = frame[branch];
         const std::uint64_t k = get(hls::kStepExponentField, theta);
         if (kind >= kOfBranch && kind < kOfPiece && branch == 0) return false;
+        if ((kind == 16 || kind == 17) && branch == 1) return false;  // no steps
         switch (kind) {
             case 0:
                 set(theta, hls::kKindField, random_());

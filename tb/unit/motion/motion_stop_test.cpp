@@ -80,6 +80,8 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
         stops = steps_;
     }
     EXPECT_GT(stops, 5 * rounds / 3);
+    const auto is_again = [](const Stop& stop) { return stop.again; };
+    EXPECT_GT(std::count_if(stops_.begin(), stops_.end(), is_again), rounds);
 }
 
 /// A hold lasts as long as the plan says, if the rate has been 1 for as long as branches are apart.
