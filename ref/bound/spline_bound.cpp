@@ -291,7 +291,7 @@ class Walk {
     double shift_truncation_ = 0;
     double shift_rounding_ = 0;
     double shown_rounding_ = 0;  // rounding of v in this step's products
-    Interpreter<double, kSpline.size(), 3> network_;
+    NetworkInterpreter<double, kSpline.size(), 3> network_;
     SplineError result_;
 };
 

@@ -92,7 +92,7 @@ class SplineWords : public Exact {
     Shorten shorten_ = Shorten::kNothing;
     std::array<Enclosed, 3> a_, b_, c_, three_a_, step_a_{}, six_a_, half_W_{};
     State state_{};
-    Interpreter<Enclosed, kSpline.size(), 3> network_;
+    NetworkInterpreter<Enclosed, kSpline.size(), 3> network_;
     std::array<Enclosed, kSpline.size()> rate_{};  // rates of this order
     int q_words_ = 1;
 };

@@ -46,13 +46,13 @@ struct Exact {
 ///
 /// Source: [Chikurov] (8), (15).
 template <class Real, std::size_t Nodes, std::size_t Parameters>
-class Interpreter {
+class NetworkInterpreter {
   public:
     using State = std::array<Real, Nodes>;
 
     /// @throws std::invalid_argument when order < 1
-    Interpreter(const Wiring<Nodes>& wiring, int order,
-                const std::array<Real, Parameters>& parameters = {})
+    NetworkInterpreter(const Wiring<Nodes>& wiring, int order,
+                       const std::array<Real, Parameters>& parameters = {})
         : order_(order), wiring_(wiring) {
         if (order < 1) {
             throw std::invalid_argument("a series has at least order 1");
@@ -67,9 +67,9 @@ class Interpreter {
     }
 
     /// @throws also std::logic_error for a malformed network
-    Interpreter(const Network<Nodes, Parameters>& network, int order,
-                const std::array<Real, Parameters>& parameters = {})
-        : Interpreter(wire(network), order, parameters) {}
+    NetworkInterpreter(const Network<Nodes, Parameters>& network, int order,
+                       const std::array<Real, Parameters>& parameters = {})
+        : NetworkInterpreter(wire(network), order, parameters) {}
 
     int order() const { return order_; }
 
@@ -164,7 +164,7 @@ class Interpreter {
 };
 
 template <class Real, std::size_t Nodes, std::size_t Parameters>
-Interpreter<Real, Nodes, Parameters> interpret(
+NetworkInterpreter<Real, Nodes, Parameters> interpret(
     const Network<Nodes, Parameters>& network, int order,
     const std::array<Real, Parameters>& parameters = {}) {
     return {network, order, parameters};

@@ -12,7 +12,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
-using Spherical = Interpreter<Real, kSpherical.size(), 1>;
+using Spherical = NetworkInterpreter<Real, kSpherical.size(), 1>;
 
 // State x, F, y, G, z, H on the plane with the normal B = (2, -2, 1) / 3.
 Spherical::State start_state(const Real& radius) {

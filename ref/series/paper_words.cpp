@@ -20,7 +20,8 @@ int fraction_bits(double most, int coef_bits) {
 
 PaperWords::Words::Words(const Cubic& cubic, int coef_bits)
     : limit(std::ldexp(1.0, coef_bits - 1)) {
-    Interpreter<double, kSpline.size(), 3> network(kSpline, 1, spline_parameters<double>(cubic));
+    NetworkInterpreter<double, kSpline.size(), 3> network(kSpline, 1,
+                                                          spline_parameters<double>(cubic));
     SplineState<double> most{};
     for (int i = 0; i <= kPlaces; ++i) {
         const auto& series = network.expand(spline_state(cubic, static_cast<double>(i) / kPlaces));

@@ -53,7 +53,7 @@ class PaperWords {
     Vec3 start_;
     double unit_;
     Words words_;
-    Interpreter<Real, kSpline.size(), 3> network_;
+    NetworkInterpreter<Real, kSpline.size(), 3> network_;
     State state_;
 };
 

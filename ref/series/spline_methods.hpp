@@ -114,7 +114,7 @@ class SplineFollower {
     Cubic cubic_;
     SplineMethod method_;
     std::array<Real, 3> six_a_;
-    Interpreter<Real, kSpline.size(), 3> network_;
+    NetworkInterpreter<Real, kSpline.size(), 3> network_;
     State state_;
 };
 

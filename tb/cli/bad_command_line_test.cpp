@@ -6,8 +6,7 @@
 #include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::bad_command_line_test {
 
 struct BadCommandLine {
     const char* name;
@@ -233,5 +232,4 @@ TEST_P(BadCommand, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(Cli, BadCommand, testing::ValuesIn(kBadCommandLines),
                          [](const auto& test) { return test.param.name; });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::bad_command_line_test

@@ -6,8 +6,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/programs/bad_input_case.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::bad_input_test {
 
 using Json = nlohmann::json;
 
@@ -45,5 +44,4 @@ INSTANTIATE_TEST_SUITE_P(Cli, BadInputFile, testing::ValuesIn(bad_input_cases(BA
                              return test.param.at("name").template get<std::string>();
                          });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::bad_input_test

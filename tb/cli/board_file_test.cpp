@@ -6,8 +6,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::board_file_test {
 
 using Json = nlohmann::json;
 
@@ -99,5 +98,4 @@ TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
     refuse({"--board", "none.json"}, "none.json");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::board_file_test

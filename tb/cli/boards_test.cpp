@@ -10,8 +10,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::boards_test {
 
 using Json = nlohmann::json;
 using Rows = std::vector<std::string>;
@@ -141,5 +140,4 @@ TEST(WrongCore, IsFoundWithinTheSystem) {
         << result.err;
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::boards_test

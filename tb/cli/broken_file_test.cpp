@@ -10,8 +10,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::broken_file_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -127,5 +126,4 @@ TEST_P(BrokenFile, AKeyThatNobodyReadsIsRefusedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(All, BrokenFile, testing::ValuesIn(kKinds),
                          [](const auto& test) { return std::string(test.param.name); });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::broken_file_test

@@ -14,8 +14,7 @@
 #include "tb/support/programs/plain_surface.hpp"
 #include "tb/support/programs/sample_cam.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::cam_surface_test {
 
 using Json = nlohmann::json;
 
@@ -247,5 +246,4 @@ TEST(LongCam, OfAHundredThousandPieces) {
                   100000);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::cam_surface_test

@@ -10,8 +10,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/programs/sample_cam.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::cam_test {
 
 using Json = nlohmann::json;
 
@@ -224,5 +223,4 @@ const BadCam kBad[] = {
 INSTANTIATE_TEST_SUITE_P(Cli, BadCamInput, testing::ValuesIn(kBad),
                          [](const auto& test) { return std::string(test.param.name); });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::cam_test

@@ -8,8 +8,7 @@
 #include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::choose_bad_command_test {
 
 struct BadRequirement {
     const char* name;
@@ -120,5 +119,4 @@ TEST(BadChooseOther, MachineMissing) {
     EXPECT_EQ(result.err, "none.ini: error: no such file\n");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::choose_bad_command_test

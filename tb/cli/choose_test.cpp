@@ -10,8 +10,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::choose_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -265,5 +264,4 @@ TEST_F(Confirm, AMissingScriptIsSaid) {
     EXPECT_NE(none.err.find("/nowhere/synth.sh is not there"), std::string::npos) << none.err;
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::choose_test

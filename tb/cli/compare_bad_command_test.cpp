@@ -7,8 +7,7 @@
 #include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::compare_bad_command_test {
 
 struct BadComparison {
     const char* name;
@@ -204,5 +203,4 @@ TEST_P(BadCompare, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(Cli, BadCompare, testing::ValuesIn(kBadComparisons),
                          [](const auto& test) { return test.param.name; });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::compare_bad_command_test

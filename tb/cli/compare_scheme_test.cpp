@@ -6,8 +6,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::compare_scheme_test {
 
 using Json = nlohmann::json;
 using testing::IsSubstring;
@@ -82,5 +81,4 @@ TEST_F(CompareScheme, ThatDrawsNoArcsRefusesThem) {
         << "these two draw whatever the core draws";
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::compare_scheme_test

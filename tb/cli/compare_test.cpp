@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::compare_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -297,5 +296,4 @@ TEST_F(Compare, InterruptedAtOnceWritesNothing) {
     EXPECT_EQ(program_.files(), Arguments{});
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::compare_test

@@ -10,8 +10,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::core_cache_test {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
@@ -165,5 +164,4 @@ TEST_F(MadeCore, IsWhatChooseAnswered) {
     EXPECT_LE(report["unrounded"]["bound_lsb"], choice["bound_lsb"]);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::core_cache_test

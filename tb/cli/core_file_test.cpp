@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::core_file_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -120,5 +119,4 @@ TEST_F(Core, IsRefusedWithAReason) {
               "core.json:1: error: unit_mm must be above 0\n");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::core_file_test

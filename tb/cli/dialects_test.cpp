@@ -6,8 +6,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::dialects_test {
 
 using Arguments = std::vector<std::string>;
 
@@ -122,5 +121,4 @@ TEST(Dialects, ThatDoNotExistAreRefused) {
     EXPECT_EQ(both.err, "curvecore: error: --dialect or --interpreter: LinuxCNC reads its own\n");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::dialects_test

@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::explore_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -148,5 +147,4 @@ TEST_F(Explore, RefusesWrongInput) {
     EXPECT_EQ(result.err.rfind("part.ngc:2: error: ", 0), 0U) << result.err;
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::explore_test

@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::failed_check_test {
 
 constexpr char kPart[] = "G21 G61 G90 F450\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n";
 
@@ -50,5 +49,4 @@ TEST(FailedCheck, IsTheCoresDoing) {
     EXPECT_EQ(failed_checks(program), std::vector<std::string>{});
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::failed_check_test

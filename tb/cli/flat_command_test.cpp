@@ -5,8 +5,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::flat_command_test {
 
 using testing::IsNotSubstring;
 using testing::IsSubstring;
@@ -54,5 +53,4 @@ TEST(FlatCommand, MakesOneFileWithoutPathsOrSystemVerilog) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::flat_command_test

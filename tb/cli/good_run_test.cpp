@@ -10,8 +10,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::good_run_test {
 
 using Json = nlohmann::json;
 using Files = std::vector<std::string>;
@@ -363,5 +362,4 @@ TEST(Help, IsOnEveryCommand) {
     EXPECT_EQ(version.out.rfind("curvecore 0.", 0), 0u);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::good_run_test

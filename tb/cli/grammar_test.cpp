@@ -6,8 +6,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::grammar_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -166,5 +165,4 @@ TEST_F(Grammar, ManySegmentsOfNarrowWordsAreWarnedOf) {
     EXPECT_EQ(program_.run({"plan", "part.ngc", "-q"}).err, "");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::grammar_test

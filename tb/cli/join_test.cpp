@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::join_test {
 
 using Json = nlohmann::json;
 
@@ -214,5 +213,4 @@ TEST(Join, MoveOfOtherProgramsIsRefused) {
     EXPECT_EQ(program.files(), std::vector<std::string>{"out"});
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::join_test

@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::joints_test {
 
 using Arguments = std::vector<std::string>;
 
@@ -110,5 +109,4 @@ TEST(JointsRefusal, NamesWhatThereIsNot) {
               std::string::npos);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::joints_test

@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::linuxcnc_test {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -191,5 +190,4 @@ TEST_F(Linuxcnc, PointsAndPipesAreNotForIt) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::linuxcnc_test

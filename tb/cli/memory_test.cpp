@@ -6,8 +6,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/programs/long_programs.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::memory_test {
 
 constexpr long kMostKib = 64 * 1024;
 
@@ -95,5 +94,4 @@ TEST(SlowPrograms, AreInTheSameMemory) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::memory_test

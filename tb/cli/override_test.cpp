@@ -12,8 +12,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::override_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -160,5 +159,4 @@ INSTANTIATE_TEST_SUITE_P(Long, LongOverride,
                                           testing::ValuesIn(programs())),
                          board_and_program);
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::override_test

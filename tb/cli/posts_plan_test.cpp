@@ -5,8 +5,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::posts_plan_test {
 
 namespace fs = std::filesystem;
 
@@ -31,5 +30,4 @@ TEST_P(PostsPlan, EveryProgramRunsToItsEnd) {
 INSTANTIATE_TEST_SUITE_P(Folder, PostsPlan, testing::Values("posts", "cases"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::posts_plan_test

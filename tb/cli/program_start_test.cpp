@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::program_start_test {
 
 using Json = nlohmann::json;
 
@@ -75,5 +74,4 @@ TEST(ProgramStart, WrongTablesAreNamed) {
     EXPECT_EQ(none.err, "none.tbl: error: no such file\n");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::program_start_test

@@ -11,8 +11,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/judge/curve_distance.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::spline_commands_test {
 
 using Json = nlohmann::json;
 
@@ -317,5 +316,4 @@ TEST_F(SplineCommands, NoSplinesAreForACoreWithout) {
     EXPECT_FALSE(program_.exists("out"));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_commands_test

@@ -10,8 +10,7 @@
 #include "tb/cli/program_run.hpp"
 #include "tb/support/programs/long_programs.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::stream_test {
 
 using Json = nlohmann::json;
 
@@ -146,5 +145,4 @@ TEST(Stream, AFileIsLookedAtFirst) {
     EXPECT_EQ(Json::parse(program.read("words/words.json"))["parameters"]["AuxAxes"], 1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::stream_test

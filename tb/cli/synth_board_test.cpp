@@ -14,8 +14,7 @@
 #include "ref/curves/table_reader.hpp"
 #include "tb/cli/synth_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::synth_board_test {
 
 using testing::IsNotSubstring;
 using testing::IsSubstring;
@@ -358,5 +357,4 @@ TEST(SynthBoard, TakesTheFirstSeedThatKeepsTheClockOrSaysWhatWasReached) {
     EXPECT_FALSE(synth.exists("out/boards/slow/board.json"));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::synth_board_test

@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::synth_cells_test {
 
 using Json = nlohmann::json;
 
@@ -49,5 +48,4 @@ TEST_F(LongSynthCells, AreTheBlocksThatCompareCounts) {
     EXPECT_EQ(counted("F600 G5 X10 Y10 I5 J0 P0 Q-5\nM2\n", "36"), synthesised("curve", "36"));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::synth_cells_test

@@ -6,8 +6,7 @@
 
 #include "tb/cli/synth_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::synth_command_test {
 
 using testing::IsSubstring;
 
@@ -220,5 +219,4 @@ TEST(SynthCommand, AnUnroutableDesignLeavesEarlierResults) {
     EXPECT_EQ(synth.read(kSerial), before);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::synth_command_test

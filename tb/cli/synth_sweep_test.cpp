@@ -9,8 +9,7 @@
 #include "tb/cli/device_list.hpp"
 #include "tb/cli/synth_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::synth_sweep_test {
 
 using testing::IsNotSubstring;
 using testing::IsSubstring;
@@ -204,5 +203,4 @@ TEST(SynthSweep, TheCostModelsRunsAreThoseOfItsTable) {
     EXPECT_EQ(configurations(synth.read("out/cost_model.csv")), configurations(runs));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::synth_sweep_test

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/cli/program_run.hpp"
+#include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::system_test {
 
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
@@ -120,10 +120,11 @@ TEST_F(System, FollowingErrorIsThatOfTheSecondOrder) {
 /// does.
 TEST_F(System, ReportsThatTheHostStarvedTheQueues) {
     const std::string part = DATA_DIR "/demo.ngc";
-    for (const char* blocks : {"interpolator=kernel", "interpolator=rtl"}) {
+    const std::vector<std::string> builds{"interpolator=kernel", "interpolator=rtl"};
+    for (int n = 0; n < cases(1, 2); ++n) {
+        const std::string& blocks = builds[static_cast<std::size_t>(n)];
         const auto starved = [&](const std::string& host, int status) {
-            const Json report =
-                draw(part, std::string(blocks) + "," + host, kFewClocks, status).report;
+            const Json report = draw(part, blocks + "," + host, kFewClocks, status).report;
             EXPECT_EQ(report["underruns"] != 0, report["starved"] != 0) << blocks << " " << host;
             return report["starved"].get<int>();
         };
@@ -142,5 +143,4 @@ TEST_F(System, ReportsStepsThatDoNotFitTheirTimes) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::system_test

@@ -9,8 +9,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::system_trace_test {
 
 using Json = nlohmann::json;
 
@@ -108,5 +107,4 @@ TEST_F(SystemTrace, IsTheSameWhicheverBlockIsRtl) {
     EXPECT_FALSE(draw("steplen=5us") == kernel) << "the comparison is blind";
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::system_trace_test

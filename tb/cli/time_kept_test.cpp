@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::time_kept_test {
 
 using Json = nlohmann::json;
 
@@ -75,5 +74,4 @@ TEST_F(TimeKept, APeriodShorterThanTheCoresClocksIsRefused) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::time_kept_test

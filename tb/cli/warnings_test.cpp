@@ -7,8 +7,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::warnings_test {
 
 using Arguments = std::vector<std::string>;
 
@@ -62,5 +61,4 @@ TEST(Warnings, PlansAreForTheQueuesOfTheCoreUnlessTold) {
     EXPECT_EQ(queues["profile"], 4096);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::warnings_test

@@ -9,8 +9,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::waves_test {
 
 using Counts = std::map<std::string, int>;
 
@@ -111,5 +110,4 @@ INSTANTIATE_TEST_SUITE_P(
                                {"Engine", 11}})}),
     [](const auto& test) { return test.param.name; });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::waves_test

@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::words_test {
 
 using Json = nlohmann::json;
 
@@ -148,5 +147,4 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 9939064203233427678u);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::words_test

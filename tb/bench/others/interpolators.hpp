@@ -90,7 +90,7 @@ inline Drawing draw_runge_kutta(const DrawnCurve& curve, double tick, double ds,
     std::vector<ref::Vec3> corners{curve.position(0)};
     const int ticks = static_cast<int>(curve.length() / tick);
     if (curve.circle()) {
-        using Network = ref::Interpreter<double, ref::kSpherical.size(), 1>;
+        using Network = ref::NetworkInterpreter<double, ref::kSpherical.size(), 1>;
         Network network(ref::kSpherical, 4, {1 / curve.radius()});
         Network::State state{curve.radius(), 0, 0, curve.radius(), 0, 0};
         for (int n = 0; n < ticks; ++n) {

@@ -2,9 +2,9 @@
 // rtl/output/path_outputs.sv: without enable_i nothing is on, in that clock and in all until a word
 // has come; a flush leaves on what is on with keep_i, and nothing without it; a word is taken in
 // its order alone, and six clocks after another while there is room.
+// control: STAYS_ON s/bits_q   <= '0;//
 // control: ON_WHEN_OFF s/bits_q & {8{enable_i}}/bits_q/
 // control: PWM_WHEN_OFF s/on_q && enable_i/on_q/
-// control: STAYS_ON s/bits_q   <= '0;//
 // control: ANY_ORDER s/\+:4\] == number_q/+:4] >= number_q/
 // control: FLUSHED_OFF s/else if (apply) begin/else if (apply || flush_i) begin/
 // control: READS_FIRST s/&& !takes//

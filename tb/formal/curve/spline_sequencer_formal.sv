@@ -3,11 +3,11 @@
 // in its header, each control in its cycle and in no other, and leads to done in the clocks stated;
 // starts are taken in idle only and none of those is lost.  Order 2 with Anchor 0 and Mode 1, order
 // 3 with 1 and 0.  A reset lasts two clocks, and starts nothing.
+// control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
 // control: ONE_ORDER_LESS s/order_q == 4'(Top)/order_q == 4'(Top - 1)/
 // control: HURRIES_PHI s/8'(3 \* i + 13);/8'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
 // control: NEVER_DONE s/default: next = Idle/default: next = Last/
-// control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
 // control: NO_RESET s/state_q     <= Idle;/state_q     <= next_q;/
 // long: proved
 `default_nettype none

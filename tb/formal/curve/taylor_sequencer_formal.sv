@@ -2,8 +2,8 @@
 // rtl/control/taylor_sequencer.sv: a step takes Latency clocks, every control comes in the cycles
 // of the table in its header and in no other, starts are taken in idle only. A reset lasts two
 // clocks, and starts nothing.
-// control: ONE_ORDER_LESS s/4'(Order - 1)/4'(Order - 2)/
 // control: DIGIT_MISSING s/digit_d == 5'(Digits)/digit_d == 5'(Digits - 1)/
+// control: ONE_ORDER_LESS s/4'(Order - 1)/4'(Order - 2)/
 // control: NEVER_DONE s/default: state_d = Idle/default: state_d = Done/
 // control: ADVANCES_FRESH s/ \&\& !fresh_q//
 // control: NO_RESET s/state_q      <= Idle;/state_q      <= state_d;/

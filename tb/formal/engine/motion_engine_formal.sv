@@ -10,11 +10,11 @@
 // read, may be anything: tb/unit/arithmetic/motion_engine_test.cpp has the numbers.
 // cut: *engine_program*/t:$memrd* *engine_memory*/t:$memrd*
 // cut: *limb_product*/w:product_o *column_sum*/w:sum_o
+// control: NO_HALF engine_terms s/kept_o || column_q == 2'd2/kept_o || column_q == 2'd3/
 // control: BEGINS_EARLY engine_sequencer s/: 4'b1000;/: 4'b0100;/
 // control: BRANCHES_LATE engine_sequencer s/4'b0010 : out_i/4'b0100 : out_i/
 // control: LATE_AT_END engine_sequencer s/due_i \&\& next_thread_o) late/due_i \&\& busy_o) late/
 // control: SHORT_COLUMN engine_terms s/next_i > most_i/next_i >= most_i/
-// control: NO_HALF engine_terms s/kept_o || column_q == 2'd2/kept_o || column_q == 2'd3/
 // control: OTHER_LIMB engine_terms s/j_o - 2'd1/j_o + 2'd1/
 // control: ONE_PAGE engine_operands s/field\[5\] ? page_y : page_x/page_x/
 // control: WRITES_CONSTANTS engine_operands s/WordBits-1:3\] == '0/WordBits-1:2] == '0/
@@ -31,6 +31,7 @@
 // control: BR_OF_ALL engine_decoder s/op == engine_pkg::Br;/op == 4'd0 || op == 4'd3;/
 // control: OWN_FIRST motion_engine s/out_q \&\& out_last_q/out_q/
 // control: PORT_LINK motion_engine s/16'(link) : in_data_i/in_data_i : in_data_i/
+// long: covered
 `default_nettype none
 module motion_engine_formal #(
     parameter int PlaceBits = 2,

@@ -9,6 +9,7 @@
 // control: DOUBLES_SAMPLE s/next_read  = fetch ?/next_read  = fetch \&\& ready_i ?/
 // control: NO_ROOM s/room_o <= admitted_q/room_o <= \&admitted_q \&\& admitted_q/
 // control: NO_RESET s/count_q      <= '0;/count_q <= count_q;/
+// long: proved.words_2
 `default_nettype none
 module sample_queue_formal #(
     parameter int Words = 1,  // 1, 2

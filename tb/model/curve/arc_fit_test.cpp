@@ -12,8 +12,7 @@
 #include "ref/moves/spline_form.hpp"
 #include "tb/support/judge/curve_distance.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::arc_fit_test {
 
 using ref::ArcFit;
 using ref::Cubic;
@@ -226,5 +225,4 @@ TEST(SplineForm, LeavesEndsAxesAndStopsWhereTheyWere) {
     EXPECT_EQ(same.moves[1].kind, Move::Kind::kCubic);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::arc_fit_test

@@ -11,8 +11,7 @@
 #include "tb/support/judge/precise_cubic.hpp"
 #include "tb/support/segments/cubics.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::arc_length_test {
 
 using tb::Precise;
 using tb::PreciseCubic;
@@ -157,5 +156,4 @@ TEST(ArcLength, EndsAndPoints) {
     EXPECT_NEAR(cusp.parameter(0.5), (1 - std::sqrt(0.6)) / 2, 1e-15);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::arc_length_test

@@ -12,8 +12,7 @@
 #include "tb/support/judge/precise_cubic.hpp"
 #include "tb/support/segments/cubics.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::cubic_test {
 
 using tb::Precise;
 using tb::PreciseCubic;
@@ -176,5 +175,4 @@ TEST(Cubic, ControlPointsGoThereAndBack) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::cubic_test

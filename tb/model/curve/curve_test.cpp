@@ -14,8 +14,7 @@
 #include "ref/moves/arc_geometry.hpp"
 #include "ref/plan/segment_curve.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::curve_test {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
@@ -281,5 +280,4 @@ TEST(SegmentCurve, AgreesWithTheHelix) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::curve_test

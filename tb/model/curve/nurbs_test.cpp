@@ -16,8 +16,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "tb/support/judge/curve_distance.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::nurbs_test {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
@@ -331,5 +330,4 @@ TEST(CubicFit, CuspsAndFarApartWeightsEndWithinTheTolerance) {
     EXPECT_LE(cubics_of(steep, kFitTolerance).size(), 2000U);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::nurbs_test

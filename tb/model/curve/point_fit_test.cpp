@@ -11,8 +11,7 @@
 #include "ref/curve/fit/point_slopes.hpp"
 #include "tb/support/judge/curve_distance.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::point_fit_test {
 
 constexpr double kPi = 3.14159265358979323846;
 const std::vector<double> kUneven{0, 0.7, 1.5, 1.9, 3.2, 4, 4.4};
@@ -343,5 +342,4 @@ TEST(PointFit, QuinticStaysWithinItsTolerance) {
     EXPECT_NEAR(curvature(cubics.front(), 0), 0.05, 1e-4);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::point_fit_test

@@ -6,8 +6,7 @@
 #include "ref/series/search_tables.hpp"
 #include "ref/series/spline_tables.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::search_test {
 
 using ref::SearchForm;
 
@@ -107,5 +106,4 @@ TEST(WordSearch, CostsAHundredProductsASample) {
     EXPECT_LT(error(34), 1e-4);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::search_test

@@ -6,8 +6,7 @@
 
 #include "ref/curve/fit/point_fit.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::sine_path_test {
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -72,5 +71,4 @@ TEST(PointFit, C2SplineIsOfTheFourthOrderWithTheCurvesOwnEnds) {
     EXPECT_GT(sine_error(sine_path(Fit::kBessel, 21)), 5e-3);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::sine_path_test

@@ -7,8 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::step_crossings_test {
 
 TEST(StepCrossings, AreWhereTheNearestStepChanges) {
     std::mt19937_64 random(1);
@@ -51,5 +50,4 @@ TEST(StepCrossings, TheNearestStepOfAMiddleIsTheOneAbove) {
     EXPECT_EQ(StepCrossings(3, 4).count(-2), -1);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::step_crossings_test

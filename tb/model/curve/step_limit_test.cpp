@@ -14,8 +14,7 @@
 #include "tb/support/judge/convergence_radius.hpp"
 #include "tb/support/segments/cubics.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::step_limit_test {
 
 using tb::ConvergenceRadius;
 using tb::RandomCubics;
@@ -114,5 +113,4 @@ TEST(StepLimit, LinesAndCusps) {
     EXPECT_NEAR(step_limit(faster, 0), (std::sqrt(2.0) - 1) * 9 / 6, 1e-15);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::step_limit_test

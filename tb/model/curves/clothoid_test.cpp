@@ -13,8 +13,7 @@
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/core/table_words.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::clothoid_test {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
@@ -176,5 +175,4 @@ TEST(Clothoid, EverySampleInWordsIsWithinTheBoundOfItsTable) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::clothoid_test

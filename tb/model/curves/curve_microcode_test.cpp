@@ -9,8 +9,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::curve_microcode_test {
 
 TEST(CurveMicrocode, EqualsTheKernelsInEveryConfiguration) {
     std::int64_t words = 0;
@@ -61,5 +60,4 @@ TEST(CurveMicrocode, AChangedInstructionIsSeen) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::curve_microcode_test

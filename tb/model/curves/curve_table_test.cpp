@@ -10,8 +10,7 @@
 #include "ref/curves/table_reader.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::curve_table_test {
 
 constexpr char kHead[] =
     "curve c\nword theta -1  a[3] -2\nstart n[3] -2\nbus theta theta  tangent a  normal n\n"
@@ -116,5 +115,4 @@ TEST(CurveTable, RowsAreNeededAsFarAsTheKernelMakesThem) {
     EXPECT_EQ(series.at("phi"), 5);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::curve_table_test

@@ -19,8 +19,7 @@
 #include "sysc/core/run_time_kernel.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::derive_table_test {
 
 using ref::Vec3;
 
@@ -305,5 +304,4 @@ TEST(DerivedTable, DrawsAnyFormula) {
     EXPECT_GT(drawn, cases(15, 750));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::derive_table_test

@@ -20,8 +20,7 @@
 #include "sysc/curves/spline_families.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::table_bound_test {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<113, mp::digit_base_2>, mp::et_off>;
@@ -202,5 +201,4 @@ TEST(TableBound, OfArcsHoldsAndIsAsTightAsTheOneByHand) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::table_bound_test

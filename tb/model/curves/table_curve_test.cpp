@@ -18,8 +18,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::table_curve_test {
 
 using ref::TableCurve;
 using ref::TablePiece;
@@ -254,5 +253,4 @@ TEST(TableSegment, KeepsTheBoundAndJoins) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::table_curve_test

@@ -12,8 +12,7 @@
 #include "tb/support/microcode/microcode_configurations.hpp"
 #include "tb/support/microcode/table_comparison.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::table_families_test {
 
 using ref::Vec3;
 
@@ -105,5 +104,4 @@ TEST_P(TableFamily, IsDrawnByItsMicrocode) {
 INSTANTIATE_TEST_SUITE_P(, TableFamily, testing::ValuesIn(TableFamilies::names()),
                          [](const auto& of) { return of.param; });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::table_families_test

@@ -14,8 +14,7 @@
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::table_machine_test {
 
 std::string text_of(const CurveCase& of) {
     const std::string name = of.spline ? "spline" : "arc";
@@ -177,5 +176,4 @@ TEST(TableMachine, AChangedLineIsSeen) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::table_machine_test

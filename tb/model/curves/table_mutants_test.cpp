@@ -17,8 +17,7 @@
 #include "tb/support/microcode/table_comparison.hpp"
 #include "tb/support/programs/mutator.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::table_mutants_test {
 
 std::string table(const char* name) {
     std::ifstream file(std::string(CURVES_DIR) + "/" + name);
@@ -125,5 +124,4 @@ TEST(TableMutants, AreRefusedWithTheirLineOrTaken) {
     EXPECT_GT(drawn, 500);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::table_mutants_test

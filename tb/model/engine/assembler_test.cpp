@@ -10,8 +10,7 @@
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 
-namespace curvecore::assembler {
-namespace {
+namespace curvecore::assembler::assembler_test {
 
 std::string refused(const std::function<void(Assembly&)>& write, const StoreSize& size = {}) {
     Assembly assembly(size);
@@ -390,5 +389,4 @@ TEST(Assembler, ASplineOfOrder12NeedsTheLargeStore) {
     EXPECT_NO_THROW(tb::curve_microcode(of));
 }
 
-}  // namespace
-}  // namespace curvecore::assembler
+}  // namespace curvecore::assembler::assembler_test

@@ -8,8 +8,7 @@
 #include "tb/support/microcode/busy_program.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::engine_time_test {
 
 struct Drawn {
     std::int64_t late = 0;
@@ -80,5 +79,4 @@ TEST(EngineTime, SamplesAreLateInAShorterPeriod) {
     });
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::engine_time_test

@@ -20,7 +20,7 @@
 namespace curvecore::tb {
 
 /// Programs, as MicrocodeMachine::run has them.
-constexpr int kReset = 0;
+constexpr int kEntryReset = 0;
 constexpr int kEnter = 1;  // + 1: of a profile word
 constexpr int kGuard = 3;
 
@@ -160,7 +160,7 @@ class EntryComparison {
         std::fill(memory_.begin(), memory_.end(), std::int16_t{0});
         write_powers(memory_);
         machine_.ports().memory = memory_;
-        machine_.reset(kReset);
+        machine_.reset(kEntryReset);
         machine_.set("stop_ticks", stop_ticks_);
         machine_.set("twice_stop", 2 * stop_ticks_);
         machine_.set("queued_ticks", 0);

@@ -9,8 +9,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::follow_microcode_test {
 
 TEST(FollowMicrocode, EqualsTheKernelInEveryConfiguration) {
     std::int64_t samples = 0;
@@ -104,5 +103,4 @@ TEST(FollowMicrocode, AChangedInstructionIsSeen) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::follow_microcode_test

@@ -11,8 +11,7 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/segments/random_pieces.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::path_microcode_test {
 
 constexpr int kPiece = 0;
 constexpr int kTick = 1;
@@ -170,5 +169,4 @@ TEST(PathMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.99);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::path_microcode_test

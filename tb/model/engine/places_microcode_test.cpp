@@ -13,8 +13,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::places_microcode_test {
 
 constexpr char kOfTest[] = "places_microcode_test";
 constexpr int kReset = 0;
@@ -277,5 +276,4 @@ TEST(PlacesMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.99);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::places_microcode_test

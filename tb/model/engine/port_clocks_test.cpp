@@ -10,8 +10,7 @@
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/compiler/motion_program.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::port_clocks_test {
 
 using engine::Instruction;
 using engine::Op;
@@ -153,5 +152,4 @@ TEST(PortClocks, OneThatIsAskedForTooEarlyIsFound) {
               "port select = a, 1 limb, if port tag_is go to there: 4\n");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::port_clocks_test

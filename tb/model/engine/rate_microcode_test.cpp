@@ -8,8 +8,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::rate_microcode_test {
 
 /// Unpacks any piece, anywhere in the queue, with the twin; returns whether a word differs.
 bool unpacked_differs(MicrocodeMachine& machine, std::mt19937_64& random) {
@@ -116,5 +115,4 @@ TEST(RateMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.983);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::rate_microcode_test

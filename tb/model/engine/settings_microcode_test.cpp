@@ -10,8 +10,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::settings_microcode_test {
 
 constexpr char kOfTest[] = "settings_microcode_test";
 constexpr int kReset = 0;
@@ -178,5 +177,4 @@ TEST(SettingsMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.99);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::settings_microcode_test

@@ -10,8 +10,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::share_microcode_test {
 
 constexpr char kOfTest[] = "share_microcode_test";
 constexpr int kReset = 0;
@@ -140,5 +139,4 @@ TEST(ShareMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.985);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::share_microcode_test

@@ -11,8 +11,7 @@
 #include "tb/support/microcode/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::words_microcode_test {
 
 /// Any configuration.
 EntryCase any_case(std::mt19937_64& random) {
@@ -126,5 +125,4 @@ TEST(WordsMicrocode, AChangedInstructionIsSeen) {
     share.expect(0.98);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::words_microcode_test

@@ -15,8 +15,7 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::feed_profile_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -357,5 +356,4 @@ TEST(FeedProfile, HoldsStayWithinTheAccelerationLimit) {
     EXPECT_GE(worst, 0.85 * machine.acceleration);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::feed_profile_test

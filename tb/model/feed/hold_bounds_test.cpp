@@ -13,8 +13,7 @@
 #include "ref/format/path_words.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::hold_bounds_test {
 
 /// Ticks of a stop from 50 mm/s on slow axes.
 std::uint32_t stop_ticks(double path_acceleration, double path_jerk, double unused) {
@@ -117,5 +116,4 @@ TEST(HoldBounds, OfAShortQueueTakeWhatTheMotionLeaves) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::hold_bounds_test

@@ -16,8 +16,7 @@
 #include "tb/support/programs/live_programs.hpp"
 #include "tb/support/programs/long_form.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::live_plan_test {
 
 struct Case {
     const char* name;
@@ -225,5 +224,4 @@ INSTANTIATE_TEST_SUITE_P(Form, LivePlanOf,
                                          Case{"Corners", 2000, corners}, Case{"Arcs", 6000, arcs}),
                          [](const auto& form) { return std::string(form.param.name); });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::live_plan_test

@@ -18,8 +18,7 @@
 #include "tb/support/programs/random_lines.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::optimal_plan_test {
 
 using ref::Effort;
 using ref::Machine;
@@ -338,5 +337,4 @@ TEST(OptimalPlan, PiecesSumToThePath) {
     EXPECT_EQ(path, last.s_start + last.length);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::optimal_plan_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::phase_ends_test {
 
 using ref::Phase;
 
@@ -74,5 +73,4 @@ TEST(PhaseEnds, MoveToTheOtherTickOnTheSameMotion) {
     EXPECT_GT(stayed, 10) << "ends beside which there is no room";
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::phase_ends_test

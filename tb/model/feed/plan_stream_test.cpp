@@ -14,8 +14,7 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::plan_stream_test {
 
 using ref::Effort;
 using ref::InputError;
@@ -363,5 +362,4 @@ TEST(PlanStream, BoundsHoldsByTheFastestMotion) {
     EXPECT_LT(bounds(100).stop_ticks, any.stop_ticks);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::plan_stream_test

@@ -16,8 +16,7 @@
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::planned_branches_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -332,5 +331,4 @@ TEST(PlannedBranches, TakenElsewhereBreakTheLimits) {
     EXPECT_GT(worst, 1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::planned_branches_test

@@ -18,8 +18,7 @@
 #include "sysc/job/job_stream.hpp"
 #include "sysc/words/bus_words.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::planning_threads_test {
 
 TEST(Workers, DoEachPieceOfWorkOnce) {
     for (const int threads : {1, 2, 4, 8}) {
@@ -249,5 +248,4 @@ TEST(PlanningThreads, GiveAllBeforeAFaultThatOneDoes) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::planning_threads_test

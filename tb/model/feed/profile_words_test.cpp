@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::profile_words_test {
 
 constexpr double kUnitMm = 1e-6;
 constexpr double kTick = 100e-6;
@@ -42,7 +41,7 @@ double slowest(const std::vector<Phase>& phases, const PieceGrid& grid) {
 /// which the speed may be a hundred times as high: a cubic over all of the slow phase went
 /// backwards, and then through the last of its path eight times too fast.
 TEST(ProfileWords, NoPieceGoesBackBesideALongSlowPhase) {
-    const PieceGrid grid = ref::grid();
+    const PieceGrid grid = profile_words_test::grid();
     std::mt19937 random(1);
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * std::generate_canonical<double, 53>(random);
@@ -61,5 +60,4 @@ TEST(ProfileWords, NoPieceGoesBackBesideALongSlowPhase) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::profile_words_test

@@ -22,8 +22,7 @@
 #include "tb/support/programs/random_lines.hpp"
 #include "tb/support/programs/spline_paths.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::queue_cover_test {
 
 // Ticks of the profile from a hold to standstill, from any state that targets can cause.
 TEST(StopTicks, AreEnoughFromAnyState) {
@@ -200,5 +199,4 @@ TEST(QueueCover, OfFineChordsOutlastsAStop) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::queue_cover_test

@@ -13,8 +13,7 @@
 #include "ref/path/smooth_path.hpp"
 #include "ref/program/program_reader.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::short_queues_test {
 
 constexpr double kSame = 1.01;   // greatest ratio of the time with longer queues
 constexpr double kHalf = 4;      // greatest ratio of the time with queues half as long: see above
@@ -77,5 +76,4 @@ INSTANTIATE_TEST_SUITE_P(OfPrograms, ShortQueues,
                              return std::string(one.param.first) + std::to_string(one.param.second);
                          });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::short_queues_test

@@ -20,8 +20,7 @@
 #include "sysc/words/path_source.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::slow_clock_test {
 
 constexpr double kFeed = 100;     // mm/s
 constexpr double kFactor = 4;     // derived above
@@ -230,5 +229,4 @@ TEST(SlowClock, SegmentsEndWithStepsThatTheFeedBears) {
     EXPECT_GT(several, 100);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::slow_clock_test

@@ -12,8 +12,7 @@
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::stop_branch_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -208,5 +207,4 @@ TEST(StopBranch, WithoutLimitsBreaksThem) {
     EXPECT_GT(worst, 1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::stop_branch_test

@@ -9,8 +9,7 @@
 #include "hls/stop_schedule.hpp"
 #include "hls/word_entry.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::stop_words_test {
 
 using hls::Entry;
 using hls::StopStep;
@@ -318,5 +317,4 @@ TEST(StopSchedule, AfterAStopTimeGoesOn) {
     EXPECT_LT(stops.stop(50), 200) << "and stops by a branch again";
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::stop_words_test

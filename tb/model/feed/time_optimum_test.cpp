@@ -9,8 +9,7 @@
 #include "ref/feed/ramps/ramp.hpp"
 #include "ref/feed/windows/sliding.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::time_optimum_test {
 
 using ref::KnotMotion;
 using ref::PathInterval;
@@ -197,5 +196,4 @@ TEST(Sliding, LeastAndMean) {
     EXPECT_EQ(ref::sliding_mean({1, 2, 6, 4}, 1), (std::vector<double>{1.5, 3, 4, 5}));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::time_optimum_test

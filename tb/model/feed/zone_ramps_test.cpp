@@ -10,8 +10,7 @@
 
 #include "ref/feed/ramps/ramp_pair.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::zone_ramps_test {
 
 using ref::Phase;
 using ref::Zone;
@@ -115,5 +114,4 @@ TEST(RampPair, IsTheGapsOwnWhereLimitsAreEqual) {
     EXPECT_GE(pair.rest, 0);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::zone_ramps_test

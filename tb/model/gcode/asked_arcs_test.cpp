@@ -23,8 +23,7 @@
 #include "tb/support/programs/program_builder.hpp"
 #include "tb/support/programs/random_arcs.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::asked_arcs_test {
 
 using ref::Move;
 using ref::Program;
@@ -315,5 +314,4 @@ TEST(AskedArcs, KeepTheMachinesLimits) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::asked_arcs_test

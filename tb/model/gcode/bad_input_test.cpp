@@ -11,8 +11,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/programs/bad_input_case.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::bad_input_test {
 
 using Json = nlohmann::json;
 
@@ -59,5 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Case, BadInput, testing::ValuesIn(bad_input_cases(kCase
 
 TEST(BadInputTable, HoldsAtLeastSixtyCases) { EXPECT_GE(bad_input_cases(kCases).size(), 60U); }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::bad_input_test

@@ -9,8 +9,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::canned_cycles_test {
 
 using ref::Move;
 using ref::Program;
@@ -187,5 +186,4 @@ TEST(Threads, G76BoresTapersAndCutsAtAnAngle) {
               "part.ngc:3: error: G76 wants more than 2000 passes");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::canned_cycles_test

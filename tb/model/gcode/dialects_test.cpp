@@ -9,8 +9,7 @@
 #include "ref/program/gcode_stream.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::dialects_test {
 
 using ref::Dialect;
 using ref::InputError;
@@ -235,5 +234,4 @@ TEST(Dialects, RefuseWhatTheyDoNotKnow) {
     EXPECT_EQ(refusal("M83\n#1=5\n"), "part.nc:2: error: '#' where a command should begin");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::dialects_test

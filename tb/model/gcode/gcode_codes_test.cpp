@@ -12,8 +12,7 @@
 #include "ref/program/gcode_stream.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::gcode_codes_test {
 
 using ref::Move;
 using ref::Program;
@@ -314,5 +313,4 @@ TEST(GcodeCodes, MCodesTakeTheirWordsAndUnknownOnesWarn) {
     EXPECT_EQ(refusal("M8 P1"), "part.ngc:2: error: P has no use in this block");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::gcode_codes_test

@@ -9,8 +9,7 @@
 
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::gcode_reader_test {
 
 using ref::Move;
 using ref::Program;
@@ -369,5 +368,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Part, testing::ValuesIn(parts()), [](const auto& te
     return std::filesystem::path(tested.param).stem().string();
 });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::gcode_reader_test

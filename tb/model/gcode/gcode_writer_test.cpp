@@ -13,8 +13,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::gcode_writer_test {
 
 constexpr double kRounded = 3e-9;  // mm: nine decimals, at a few words
 
@@ -177,5 +176,4 @@ TEST(IdleGcode, StepsAreEvenAndNotLonger) {
     EXPECT_THROW(idle_gcode(path, course, {GcodeForm::kStep, 1e-6}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::gcode_writer_test

@@ -10,8 +10,7 @@
 #include "ref/program/gcode_stream.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::named_curve_test {
 
 constexpr const char* kTable = R"(
 curve circle
@@ -139,5 +138,4 @@ TEST_F(NamedCurve, NeedsItsTable) {
               "");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::named_curve_test

@@ -10,8 +10,7 @@
 
 #include "ref/program/program_reader.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::points_reader_test {
 
 using ref::Fit;
 using ref::Move;
@@ -176,5 +175,4 @@ TEST(PointsReader, FilesOfTheExamplesAreRead) {
     EXPECT_GE(ref::read_program(folder + "demo.ngc", options).moves.size(), 8U);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::points_reader_test

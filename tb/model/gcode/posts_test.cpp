@@ -11,8 +11,7 @@
 #include "ref/program/program_reader.hpp"
 #include "ref/text/csv_cells.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::posts_test {
 
 using ref::Move;
 using ref::Program;
@@ -112,5 +111,4 @@ TEST(PostsTables, PointsWithoutZLieInItsPlane) {
     EXPECT_EQ(program.moves.back().end, Vec3(30, 9, 0));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::posts_test

@@ -13,8 +13,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/gcode_stream.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::program_flow_test {
 
 namespace fs = std::filesystem;
 using ref::InputError;
@@ -394,5 +393,4 @@ TEST(ProgramFlow, LoopsWithoutEndAreRefused) {
               "part.ngc:4: error:");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::program_flow_test

@@ -11,8 +11,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::program_start_test {
 
 using ref::ProgramStart;
 using ref::Vec3;
@@ -186,5 +185,4 @@ TEST_F(Start, ArcsMayBeAsFarOffAsAsked) {
     EXPECT_NE(refusal("G3 X1.002 Y1 J1", start), "nothing is wrong");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::program_start_test

@@ -15,8 +15,7 @@
 #include "ref/text/text_file.hpp"
 #include "tb/support/programs/mutator.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::reader_fuzz_test {
 
 using ref::Move;
 
@@ -218,5 +217,4 @@ TEST(ReaderFuzz, MutatedMachinesAreRefusedOrSound) {
     EXPECT_GT(read, 2000);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::reader_fuzz_test

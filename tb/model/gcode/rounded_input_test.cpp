@@ -15,8 +15,7 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::rounded_input_test {
 
 using ref::Move;
 using ref::Program;
@@ -180,5 +179,4 @@ TEST(RoundedInput, CamTablesAreEvenToTheirLastDigit) {
     EXPECT_TRUE(taken(seven, "10.000"));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::rounded_input_test

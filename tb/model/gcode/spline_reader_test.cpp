@@ -8,8 +8,7 @@
 #include "ref/curve/arc_length.hpp"
 #include "ref/program/gcode_reader.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::spline_reader_test {
 
 using ref::Move;
 using ref::Program;
@@ -212,5 +211,4 @@ TEST(SplineReader, SplinesMixWithLinesAndArcs) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_reader_test

@@ -11,8 +11,7 @@
 #include "ref/gcode/lines/program_lines.hpp"
 #include "ref/program/gcode_reader.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::value_reader_test {
 
 using ref::InputError;
 using ref::ProgramParameters;
@@ -274,5 +273,4 @@ TEST(Parameters, AreRefusedWithTheirLine) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::value_reader_test

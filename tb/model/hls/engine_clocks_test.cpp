@@ -15,8 +15,7 @@
 #include "tb/support/microcode/microcode_configurations.hpp"
 #include "tb/support/segments/table_families.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::engine_clocks_test {
 
 using assembler::worst_case;
 
@@ -183,5 +182,4 @@ TEST(EngineClocks, AreThoseOfItsPlaces) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::engine_clocks_test

@@ -7,8 +7,7 @@
 #include <random>
 #include <set>
 
-namespace curvecore::engine {
-namespace {
+namespace curvecore::engine::engine_test {
 
 __extension__ using Wide = __int128;
 
@@ -326,5 +325,4 @@ TEST(Engine, RefusesStoresThatNoAddressFits) {
     EXPECT_NO_THROW(Engine(program, empty_memory(512)));
 }
 
-}  // namespace
-}  // namespace curvecore::engine
+}  // namespace curvecore::engine::engine_test

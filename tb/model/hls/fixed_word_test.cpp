@@ -9,8 +9,7 @@
 
 #include "hls/quantise.hpp"
 
-namespace curvecore::hls {
-namespace {
+namespace curvecore::hls::fixed_word_test {
 
 std::int64_t floor_half_up(std::int64_t value, int shift) {
     return static_cast<std::int64_t>(
@@ -136,5 +135,4 @@ TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
     EXPECT_EQ(bus[4], 0xC00000000000U);
 }
 
-}  // namespace
-}  // namespace curvecore::hls
+}  // namespace curvecore::hls::fixed_word_test

@@ -12,8 +12,7 @@
 
 #include "ref/bound/hyperbola_bound.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::hyperbola_kernel_test {
 
 template <int Order, int CoefBits, bool Anchor>
 using Format = hls::Configuration<Order, CoefBits, 32, 10, 0, hls::SamplerMode::kSeries, Anchor>;
@@ -144,5 +143,4 @@ TEST(HyperbolaKernel, OfAnchorZeroLeavesTheHyperbolaAndOfAnchorOneDoesNot) {
     EXPECT_LT(worst, 0.002);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::hyperbola_kernel_test

@@ -12,9 +12,8 @@
 #include "tb/support/segments/parameters_of.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::mixed_plan_test {
 using namespace sysc;
-namespace {
 
 using C = hls::DefaultSplineConfiguration;
 
@@ -116,5 +115,4 @@ TEST(MixedPlan, AWrongWordOfASplineLeavesTheBound) {
     EXPECT_GT(draw(program, plan, 4096).of_bound, 1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::mixed_plan_test

@@ -12,8 +12,7 @@
 
 #include "ref/format/parameter_text.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::parameters_test {
 
 using ref::Build;
 using ref::CoreParameters;
@@ -158,5 +157,4 @@ TEST(Parameters, DifferWhereOneOfThemDoes) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::parameters_test

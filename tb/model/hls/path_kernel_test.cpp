@@ -10,8 +10,7 @@
 
 #include "tb/support/segments/random_pieces.hpp"
 
-namespace curvecore::hls {
-namespace {
+namespace curvecore::hls::path_kernel_test {
 
 using tb::piece_of;
 
@@ -120,5 +119,4 @@ TEST(SampleShare, SharesATickEvenlyAndWholly) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::hls
+}  // namespace curvecore::hls::path_kernel_test

@@ -9,8 +9,7 @@
 
 #include "tb/support/pins/step_motion.hpp"
 
-namespace curvecore::hls {
-namespace {
+namespace curvecore::hls::place_scaler_test {
 
 TEST(PlaceScaler, PlacesAreTheProductRoundedDown) {
     std::mt19937_64 random(1);
@@ -70,5 +69,4 @@ TEST(PlaceScaler, ARateThatIsNoWordIsRefusedAndMovesNothingElse) {
     EXPECT_EQ(scaler.next(-1, true, false).rate, -1);
 }
 
-}  // namespace
-}  // namespace curvecore::hls
+}  // namespace curvecore::hls::place_scaler_test

@@ -10,8 +10,7 @@
 #include "tb/support/bench/serial_machine.hpp"
 #include "tb/support/segments/spline_segments.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::serial_program_test {
 
 class SerialProgram : public testing::TestWithParam<CoreParameters> {};
 
@@ -68,5 +67,4 @@ TEST_P(SerialProgram, MakesTheKernelsWords) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::serial_program_test

@@ -18,9 +18,8 @@
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/curves/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::spline_kernel_test {
 using namespace sysc;
-namespace {
 
 using hls::SamplerMode;
 using Default = hls::DefaultSplineConfiguration;
@@ -297,5 +296,4 @@ TEST(SplineKernel, WithoutTheAnchorErrorsStayAndGrow) {
     EXPECT_LT(series, 100 * anchored);  // it is the same curve
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_kernel_test

@@ -9,8 +9,7 @@
 #include <random>
 #include <string>
 
-namespace curvecore::hls {
-namespace {
+namespace curvecore::hls::time_scaler_test {
 
 struct Bounds {
     std::int64_t acceleration;
@@ -114,5 +113,4 @@ TEST(TimeScaler, StopsNearlyAsFastAsTheBoundsAllow) {
     EXPECT_LE(ticks, ref::kStopLead - 1 + 252);
 }
 
-}  // namespace
-}  // namespace curvecore::hls
+}  // namespace curvecore::hls::time_scaler_test

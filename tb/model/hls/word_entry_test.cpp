@@ -16,8 +16,7 @@
 #include "sysc/words/bus_words.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::word_entry_test {
 
 using hls::Entry;
 using hls::Tag;
@@ -342,5 +341,4 @@ TEST(WordEntry, KeepsOutPiecesAndBranchesThatAreNotAsTheyWere) {
     campaign(Program(1).pieces, Program(2).pieces, enter_pieces, damages());
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::word_entry_test

@@ -11,8 +11,7 @@
 #include "tb/support/segments/random_splines.hpp"
 #include "tb/support/segments/spline_loads.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::axis_limits_test {
 
 using ref::Effort;
 using ref::Machine;
@@ -145,5 +144,4 @@ TEST(AxisLimits, HoldWhereThePathsAreManyTimesLarger) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::axis_limits_test

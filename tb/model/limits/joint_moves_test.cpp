@@ -13,8 +13,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/segments/joint_machines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::joint_moves_test {
 
 using ref::Move;
 using ref::Vec3;
@@ -237,5 +236,4 @@ TEST(SeriesError, IsThatOfEveryValue) {
     EXPECT_EQ(ref::longest_series_step(core, 1e-9), -1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::joint_moves_test

@@ -8,8 +8,7 @@
 #include "ref/numeric/angles.hpp"
 #include "tb/support/segments/joint_machines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::joint_shape_test {
 
 using ref::Move;
 using ref::Vec3;
@@ -140,5 +139,4 @@ TEST(JointShapeOfACorner, StopsAtTheSameTurnOnAnyMachine) {
 INSTANTIATE_TEST_SUITE_P(Machines, JointShape, testing::ValuesIn(joint_machine_names()),
                          [](const auto& of) { return of.param; });
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::joint_shape_test

@@ -11,8 +11,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/segments/joint_machines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::kinematics_test {
 
 using ref::Vec3;
 
@@ -131,5 +130,4 @@ TEST(Kinematics, NoneOrHalfOfAMachineIsRefused) {
                  "robot.ini:3: error: JOINT_RATIO = 0.5: 1.9 .. 1000");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::kinematics_test

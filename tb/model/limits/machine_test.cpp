@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::machine_test {
 
 using ref::Machine;
 
@@ -126,5 +125,4 @@ TEST(MachineFile, SameLimitTwiceIsHarmlessIfEqual) {
     EXPECT_EQ(read("[TRAJ]\nMAX_LINEAR_VELOCITY = 5\nMAX_LINEAR_VELOCITY = 5\n").velocity, 5);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::machine_test

@@ -7,8 +7,7 @@
 #include "ref/moves/move_part.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::move_parts_test {
 
 using ref::Machine;
 using ref::Move;
@@ -88,5 +87,4 @@ TEST(MoveParts, CutManyTurns) {
     EXPECT_GE(slow, 2 * even);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::move_parts_test

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::path_places_test {
 
 using ref::AxisVector;
 using ref::Move;
@@ -98,5 +97,4 @@ TEST(PathPlaces, OfACubic) {
     expect_derivatives(move);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::path_places_test

@@ -10,8 +10,7 @@
 
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::shaper_test {
 
 using ref::Machine;
 using ref::ShaperKind;
@@ -168,5 +167,4 @@ TEST(Shaper, IsAskedForInTheMachinesFile) {
               "1 to 31 are possible");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::shaper_test

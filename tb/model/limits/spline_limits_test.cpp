@@ -9,8 +9,7 @@
 #include "tb/support/segments/random_splines.hpp"
 #include "tb/support/segments/spline_loads.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::spline_limits_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -126,5 +125,4 @@ TEST(SplineLimits, LoadsSeeAWeakerMachine) {
     EXPECT_GT(loads.worst.acceleration, 1);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_limits_test

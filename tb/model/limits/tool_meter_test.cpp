@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::tool_meter_test {
 
 using sysc::SwingingMass;
 using sysc::ToolMeter;
@@ -130,5 +129,4 @@ TEST(ToolMeter, DrivesAreAskedForTheModesInverse) {
     EXPECT_NEAR(result.drives.worst[sysc::kAcceleration].ratio / asked, gain, 0.01);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::tool_meter_test

@@ -19,8 +19,7 @@
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::window_limits_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -167,5 +166,4 @@ TEST(WindowLimits, OverridesKeepThem) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::window_limits_test

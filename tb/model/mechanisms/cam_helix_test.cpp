@@ -13,8 +13,7 @@
 #include "tb/support/programs/mutator.hpp"
 #include "tb/support/programs/sample_cam.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::cam_helix_test {
 
 using ref::CamPath;
 using ref::CamPiece;
@@ -288,5 +287,4 @@ TEST(CamFuzz, MutatedTablesAreRefusedOrSound) {
     EXPECT_LT(read, cases * 9 / 10) << "the mutations are too fine to be refused";
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::cam_helix_test

@@ -8,8 +8,7 @@
 #include "ref/cam/cam_shape.hpp"
 #include "tb/support/judge/cam_claims.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::cam_test {
 
 using ref::CamShape;
 using ref::Generatrix;
@@ -272,5 +271,4 @@ TEST(Cam, OwnErrorOfATableIsSeenFromItsRadii) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::cam_test

@@ -14,8 +14,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/programs/idle_turns.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::idle_move_test {
 
 using tb::lane_change;
 using tb::peak_curvature;
@@ -235,5 +234,4 @@ TEST(Joint, PointsAlongAMoveMatchItsEnds) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::idle_move_test

@@ -11,8 +11,7 @@
 #include "ref/join/jumps.hpp"
 #include "ref/join/quintic_slopes.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::idle_quintic_test {
 
 Joint at(const Vec3& position, const Vec3& tangent) {
     return {{position, tangent, Vec3::Zero()}, 25};
@@ -149,5 +148,4 @@ TEST(IdleQuintic, JumpsOfRoundingAreZero) {
     EXPECT_GT(jump(working, PathTable(move.pieces()).at(0.), 0).curvature, 1e-9);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::idle_quintic_test

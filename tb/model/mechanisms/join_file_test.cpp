@@ -13,8 +13,7 @@
 #include "ref/join/least.hpp"
 #include "ref/text/input_error.hpp"
 
-namespace curvecore::sysc {
-namespace {
+namespace curvecore::sysc::join_file_test {
 
 using ref::Vec3;
 
@@ -165,5 +164,4 @@ TEST(JoinFile, MutatedFilesAreRefusedOrSound) {
     EXPECT_LT(read, count * 4 / 5) << "the mutations are too fine to be refused";
 }
 
-}  // namespace
-}  // namespace curvecore::sysc
+}  // namespace curvecore::sysc::join_file_test

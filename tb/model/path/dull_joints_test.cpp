@@ -10,8 +10,7 @@
 #include "tb/support/judge/drawn_limits.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::dull_joints_test {
 
 using ref::Vec3;
 
@@ -83,5 +82,4 @@ TEST_P(DullJoints, AreRoundedWithWhatTheyNeed) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::dull_joints_test

@@ -14,8 +14,7 @@
 #include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::smooth_path_test {
 
 using ref::Move;
 using ref::Program;
@@ -219,5 +218,4 @@ TEST_P(RandomPaths, OfLinesAndArcsKeepTheTolerance) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::smooth_path_test

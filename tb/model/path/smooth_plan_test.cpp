@@ -10,8 +10,7 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::smooth_plan_test {
 
 using ref::Effort;
 using ref::Machine;
@@ -61,5 +60,4 @@ TEST_P(SmoothPlans, KeepTheLimits) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::smooth_plan_test

@@ -10,8 +10,7 @@
 #include "tb/support/judge/frechet.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::smooth_stream_test {
 
 using ref::Machine;
 using ref::Move;
@@ -162,5 +161,4 @@ TEST(SmoothStream, GivesAllThatCameBeforeAFault) {
     EXPECT_TRUE(drawn(program, 24, 0).program.moves.empty());
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::smooth_stream_test

@@ -10,8 +10,7 @@
 
 #include "sysc/core/board_file.hpp"
 
-namespace curvecore::sysc {
-namespace {
+namespace curvecore::sysc::board_cost_test {
 
 nlohmann::ordered_json placed_boards() {
     std::ifstream file(PLACED_BOARDS);
@@ -38,5 +37,4 @@ TEST(BoardCost, OfAPlacedBoardIsWhatItTook) {
     EXPECT_GE(seen.size(), 5U);
 }
 
-}  // namespace
-}  // namespace curvecore::sysc
+}  // namespace curvecore::sysc::board_cost_test

@@ -12,9 +12,8 @@
 #include "sysc/curves/built_in_curves.hpp"
 #include "sysc/curves/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::choose_test {
 using namespace sysc;
-namespace {
 
 const Device& device(std::string_view name) {
     return *std::find_if(kDevices.begin(), kDevices.end(),
@@ -33,7 +32,7 @@ struct NamedRequirement {
         requirement.length_mm = length_mm;
         requirement.feed = feed;
         requirement.travel_mm = 1500;
-        requirement.device = &tb::device(device);
+        requirement.device = &choose_test::device(device);
         return requirement;
     }
 };
@@ -167,5 +166,4 @@ TEST(ChooseControl, RelaxationsArePossibleAndNeeded) {
     EXPECT_EQ(found[1].name, "unit");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::choose_test

@@ -11,9 +11,8 @@
 
 #include "sysc/cost/cost_structure.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::cost_model_test {
 using namespace sysc;
-namespace {
 
 using Json = nlohmann::json;
 
@@ -142,5 +141,4 @@ TEST(CostModel, SizeIsTheSumOfTheShares) {
     EXPECT_FALSE(cost.fits(up5k));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::cost_model_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::drive_axis_test {
 
 using sysc::AxisSettings;
 using sysc::DriveAxis;
@@ -68,5 +67,4 @@ TEST(DriveAxis, SticksBelowTheFriction) {
     EXPECT_EQ(stuck - 1, static_cast<int>(axis.friction / (omega * omega) / kStep));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::drive_axis_test

@@ -12,9 +12,8 @@
 #include "sysc/curves/built_in_curves.hpp"
 #include "sysc/curves/exact_samples.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::error_figures_test {
 using namespace sysc;
-namespace {
 
 TEST(ErrorFigures, OfEvenlySpreadErrors) {
     const auto count = std::make_unique<ErrorCount>();
@@ -109,5 +108,4 @@ TEST(ExactSamples, AreOnTheSegmentsOfAPlan) {
     for (const int count : of_move) EXPECT_GE(count, 200);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::error_figures_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::faults_test {
 
 TEST(Faults, AreNamedBitByBit) {
     EXPECT_EQ(sysc::fault_text(0), "none");
@@ -13,5 +12,4 @@ TEST(Faults, AreNamedBitByBit) {
               "no sample for too long, or foreign or changed microcode");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::faults_test

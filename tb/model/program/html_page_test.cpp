@@ -6,8 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace curvecore::sysc {
-namespace {
+namespace curvecore::sysc::html_page_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -37,5 +36,4 @@ TEST(HtmlPage, BytesThatAreNoTextAreReplaced) {
     EXPECT_EQ(filled({{"title", "a\xff"}}), R"({"title":"a\ufffd"})");
 }
 
-}  // namespace
-}  // namespace curvecore::sysc
+}  // namespace curvecore::sysc::html_page_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::limit_meter_test {
 
 using ref::Machine;
 using sysc::LimitLoads;
@@ -137,5 +136,4 @@ TEST(LimitMeter, SaysWhereTheWorstIs) {
     EXPECT_NEAR(static_cast<double>(loads.worst[sysc::kAcceleration].sample), 5001, 11);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::limit_meter_test

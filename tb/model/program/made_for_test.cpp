@@ -17,8 +17,7 @@
 #include "sysc/words/bus_words.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::made_for_test {
 
 struct Configuration {
     sysc::Options options;
@@ -130,5 +129,4 @@ TEST(MadeFor, LetsNoFrameInForAnother) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::made_for_test

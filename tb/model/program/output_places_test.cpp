@@ -15,8 +15,7 @@
 #include "sysc/job/job_stream.hpp"
 #include "sysc/words/bus_words.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::output_places_test {
 
 using ref::OutputKind;
 
@@ -252,5 +251,4 @@ TEST(OutputPlaces, WaysThatAreNotCountedAreRefused) {
     expect_refused([&] { at(1e-9, 1e-3, "F300"); }, "ways up to");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::output_places_test

@@ -14,8 +14,7 @@
 #include "sysc/panel/planned_path.hpp"
 #include "sysc/panel/wish.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::panel_test {
 
 using sysc::Wish;
 using sysc::WishQueue;
@@ -195,5 +194,4 @@ TEST(PanelLines, AreNoLongerThanTheTerminal) {
     for (const std::string& line : sysc::panel_lines(status, 20)) EXPECT_LE(line.size(), 20U);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::panel_test

@@ -10,8 +10,7 @@
 #include "ref/program/gcode_stream.hpp"
 #include "sysc/job/job_stream.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::placed_waits_test {
 
 /// A plan as a board takes it: a stream whose program has ended waits for the other.
 class Drawn {
@@ -216,5 +215,4 @@ TEST(PlacedWaits, EndProgramsInAnyParts) {
     EXPECT_GT(waits, 300U);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::placed_waits_test

@@ -8,9 +8,8 @@
 #include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::run_time_format_test {
 using namespace sysc;
-namespace {
 
 using hls::SamplerMode;
 
@@ -142,5 +141,4 @@ TEST_P(RunTimeFormatOf, DrawsTheSameSamples) { GetParam().draws(); }
 
 TEST_P(RunTimeFormatOf, LoadsTheSameWords) { GetParam().loads(); }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::run_time_format_test

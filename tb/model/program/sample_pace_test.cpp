@@ -16,9 +16,8 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/tiny_moves.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::sample_pace_test {
 using namespace sysc;
-namespace {
 
 constexpr double kPeriod = 100e-6;
 
@@ -153,5 +152,4 @@ TEST(SamplePace, APeriodShorterThanTheCoresClocksIsRefused) {
     EXPECT_THROW(check_period(core, false, kPeriod, 0.999 * shared / kPeriod, 2), UsageError);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::sample_pace_test

@@ -12,8 +12,7 @@
 #include "sysc/compare/compare_options.hpp"
 #include "sysc/compare/sweep.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::tick_comparison_test {
 
 using namespace sysc;
 
@@ -131,5 +130,4 @@ TEST(TickComparison, EachSchemeIsDrawnOnceForWhatItDependsOn) {
     EXPECT_EQ(in_double, 3U);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::tick_comparison_test

@@ -10,8 +10,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::word_check_test {
 
 /// A line, then a spline whose speed has its minimum, half its maximum, on the way.
 ref::Program program() {
@@ -60,5 +59,4 @@ TEST(WordCheck, RefusesALengthBeyondItsWord) {
     EXPECT_EQ(refusal(longer), "test.ngc:1: error: a planned length does not fit its word");
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::word_check_test

@@ -13,9 +13,8 @@
 #include "ref/geometry/geometry.hpp"
 #include "sysc/curves/built_in_curves.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::arc_cover_test {
 using namespace sysc;
-namespace {
 
 class Random {
   public:
@@ -169,5 +168,4 @@ TEST(ArcCover, RefusesALimitBelowTheRoundings) {
     EXPECT_GT(ref::arc_cover(format, 1e6, 1e6, 0.1).longest, 0);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::arc_cover_test

@@ -15,8 +15,7 @@
 #include "tb/support/programs/program_builder.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::error_bound_test {
 
 using hls::SamplerMode;
 
@@ -193,5 +192,4 @@ TEST(ErrorBound, GrowsWithLengthAndShrinksWithWidth) {
     EXPECT_GT(ref::truncation_bound(low, segment), 10 * ref::truncation_bound(format, segment));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::error_bound_test

@@ -7,8 +7,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::long_path_test {
 
 ref::Machine wide() {
     ref::Machine machine;
@@ -54,5 +53,4 @@ TEST(LongPath, AProgramLongerThanItsWordIsRefusedAtItsLine) {
     EXPECT_NO_THROW(make_geometry(builder.program(), wide(), {}));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::long_path_test

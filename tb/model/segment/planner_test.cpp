@@ -13,8 +13,7 @@
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::planner_test {
 
 using ref::Machine;
 using ref::Move;
@@ -275,5 +274,4 @@ TEST(Planner, RefusesWhatItCannotCarry) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::planner_test

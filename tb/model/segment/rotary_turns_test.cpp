@@ -9,8 +9,7 @@
 
 #include "ref/numeric/angles.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::rotary_turns_test {
 
 constexpr double kRange = 2147.483648;  // degrees that words of 32 bits and 1e-6 degrees hold
 
@@ -80,5 +79,4 @@ TEST(RotaryTurns, ASplinesTurnsAreOneSegments) {
     EXPECT_EQ(t.turns.beyond_words(t.move, 3), "");
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::rotary_turns_test

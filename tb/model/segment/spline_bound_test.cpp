@@ -15,9 +15,8 @@
 #include "sysc/curves/spline_families.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::spline_bound_test {
 using namespace sysc;
-namespace {
 
 using hls::SamplerMode;
 
@@ -131,5 +130,4 @@ TEST(SplineBound, AFineParameterNeedsFewerSegments) {
     EXPECT_LT(segments[1], 0.9 * static_cast<double>(segments[0]));
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_bound_test

@@ -6,9 +6,8 @@
 
 #include "sysc/curves/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::spline_cut_test {
 using namespace sysc;
-namespace {
 
 const ref::CoreParameters kFormat{6, 36, 32, 10, true};
 constexpr double kLimit = 0.1;
@@ -79,5 +78,4 @@ TEST(KnownCuts, ForgetsWhatWasAskedLongAgo) {
     EXPECT_LE(known.size(), 10240U);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_cut_test

@@ -12,8 +12,7 @@
 #include "tb/support/segments/cubics.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::spline_planner_test {
 
 using ref::Machine;
 using ref::Plan;
@@ -247,5 +246,4 @@ TEST(SegmentShape, FindsTheSharpestPlaceAndTheEnds) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_planner_test

@@ -9,8 +9,7 @@
 #include "tb/support/segments/extreme_cubics.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::spline_ranges_test {
 
 using hls::SamplerMode;
 
@@ -74,5 +73,4 @@ TEST(SplineRanges, KeepTheirWordsWhereTheCurveBendsMost) {
     expect_in_range<hls::DefaultSplineConfiguration>(Extreme::kCubicTerm, 60, 0.1, 2e6);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_ranges_test

@@ -14,9 +14,8 @@
 #include "ref/plan/segment_curve.hpp"
 #include "sysc/curves/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::tb::spline_segment_test {
 using namespace sysc;
-namespace {
 
 const ref::CoreParameters kFormat{6, 36, 32, 10, true};
 
@@ -145,5 +144,4 @@ TEST(SplineError, IsLeftByALowerOrderAndByWrongLastBits) {
     EXPECT_GT(worst_error<C>(segment, 128), segment.bound);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::spline_segment_test

@@ -9,8 +9,7 @@
 #include "ref/series/interpreter.hpp"
 #include "tb/support/judge/precise_cubic.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::hyperbola_network_test {
 
 using tb::Precise;
 
@@ -68,5 +67,4 @@ TEST(HyperbolaNetwork, InconsistentStartIsNeverPulledBack) {
     EXPECT_NEAR(cured[0] * 4001, 1, 1e-6) << "z recomputed from y at every step";
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::hyperbola_network_test

@@ -13,8 +13,7 @@
 #include "ref/series/figures.hpp"
 #include "ref/series/interpreter.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::network_test {
 
 namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
@@ -225,5 +224,4 @@ TEST(Network, ImpossibleWiringIsRefused) {
     EXPECT_THROW(interpret<double>(kSineCosine, 0), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::network_test

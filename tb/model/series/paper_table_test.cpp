@@ -8,8 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::paper_table_test {
 
 // Errors per tick and per full circle at 1.5, 6 and 60 m/min, mm: computed independently.
 constexpr const char* kPrinted[kPaperOrders][3][2] = {
@@ -112,5 +111,4 @@ TEST_F(PaperTable, RungeKuttaIsTheFourthOrderRow) {
                 1e-14);
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::paper_table_test

@@ -13,8 +13,7 @@
 #include "tb/support/judge/precise_cubic.hpp"
 #include "tb/support/segments/cubics.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::spline_network_test {
 
 namespace node = spline_node;
 using tb::Precise;
@@ -27,7 +26,7 @@ Cubic gentle() {
 }
 
 template <class Real>
-Interpreter<Real, kSpline.size(), 3> network(const Cubic& cubic, int order) {
+NetworkInterpreter<Real, kSpline.size(), 3> network(const Cubic& cubic, int order) {
     return {kSpline, order, spline_parameters<Real>(cubic)};
 }
 
@@ -121,8 +120,8 @@ TEST(SplineNetwork, WithoutTheFactorSixTheLocalOrderIsFour) {
     const Cubic cubic = gentle();
     const auto start = spline_state(cubic, Precise(0.3));
     for (const int order : {4, 6, 8, 12}) {
-        Interpreter<Precise, kSpline.size(), 3> wrong(printed, order,
-                                                      spline_parameters<Precise>(cubic));
+        NetworkInterpreter<Precise, kSpline.size(), 3> wrong(printed, order,
+                                                             spline_parameters<Precise>(cubic));
         const auto right = network<Precise>(cubic, order).expand(start)[node::kU];
         const auto terms = wrong.expand(start)[node::kU];
         for (std::size_t i = 0; i < 4; ++i) {
@@ -141,8 +140,8 @@ TEST(SplineNetwork, WithoutTheFactorSixTheLocalOrderIsFour) {
         }
     }
     const auto at_order_8 = [&](const auto& figure) {
-        Interpreter<Precise, kSpline.size(), 3> series(figure, 8,
-                                                       spline_parameters<Precise>(cubic));
+        NetworkInterpreter<Precise, kSpline.size(), 3> series(figure, 8,
+                                                              spline_parameters<Precise>(cubic));
         return static_cast<double>(position_error(series.step(start, Precise(0.2)),
                                                   exact_state(cubic, 0.3, Precise(0.2))));
     };
@@ -167,8 +166,8 @@ TEST(SplineNetwork, WithoutTheFactorSixTheWholeCurveIsAnother) {
     for (const Case& test : cases) {
         const ArcLength table(test.cubic);
         const auto draw = [&](const auto& figure, int order, double step) {
-            Interpreter<double, kSpline.size(), 3> series(figure, order,
-                                                          spline_parameters<double>(test.cubic));
+            NetworkInterpreter<double, kSpline.size(), 3> series(
+                figure, order, spline_parameters<double>(test.cubic));
             auto state = spline_state(test.cubic, 0.0);
             double worst = 0;
             double feed = 0;
@@ -241,12 +240,11 @@ TEST(SplineNetwork, WrongGainFailsTheExactCurve) {
         }
         auto mutant = kSpline;
         mutant.nodes[wrong].gain.factor *= 2;
-        Interpreter<Precise, kSpline.size(), 3> series(mutant, 24,
-                                                       spline_parameters<Precise>(cubic));
+        NetworkInterpreter<Precise, kSpline.size(), 3> series(mutant, 24,
+                                                              spline_parameters<Precise>(cubic));
         EXPECT_GT(error(series.step(start, Precise(0.5)), exact), Precise("1e-7"))
             << mutant.nodes[wrong].output;
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::spline_network_test

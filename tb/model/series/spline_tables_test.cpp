@@ -10,8 +10,7 @@
 
 #include "ref/curve/arc_length.hpp"
 
-namespace curvecore::ref {
-namespace {
+namespace curvecore::ref::spline_tables_test {
 
 using Method = SplineMethod;
 
@@ -162,5 +161,4 @@ TEST(SplineTables, RungeKuttaIsOfOrderFour) {
     }
 }
 
-}  // namespace
-}  // namespace curvecore::ref
+}  // namespace curvecore::ref::spline_tables_test

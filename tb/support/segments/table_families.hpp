@@ -2,6 +2,7 @@
 // Seeded curves of every table that is shipped for programs, with their closed forms.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
