@@ -3,6 +3,8 @@
 
     scripts/hls.sh --core spherical --set Order=4 --set CoefBits=18           the Verilog, simulated
     scripts/hls.sh --core spherical --set CoefBits=18 --device ecp5-45        placed, too
+    scripts/hls.sh --core clothoid --set Order=4               the curve of a table in ref/curves
+    scripts/hls.sh --core wave.net --set Order=4               .. of your own (curvecore curve)
     scripts/hls.sh --sweep scripts/sweeps/hls.csv                             a table of them
 
 One writes build/hls/<core>.json and .v, with the parameters in the name where these are not the
@@ -39,7 +41,8 @@ from synthesis.tools import alone, write_whole
 def arguments():
     parser = Parser(prog="hls.sh", description=__doc__,
                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--core", metavar="CORE", help=", ".join(KERNELS))
+    parser.add_argument("--core", metavar="CORE", help=", ".join(KERNELS) +
+                        "; a table of ref/curves by its name, or FILE.net")
     parser.add_argument("--set", action="append", default=[], metavar="Name=Value",
                         help="a parameter of the core")
     parser.add_argument("--steps", metavar="N", help="integration steps from the start"
@@ -140,7 +143,7 @@ def main():
         if given.sweep:
             return table(given, samples, seeds, output)
         if not given.core:
-            raise Refused(f"--core is missing: one of {', '.join(KERNELS)}")
+            raise Refused(f"--core is missing: one of {', '.join(KERNELS)}, or a table")
         one = wanted(given.core, settings(given.set), given.steps, given.stages)
         if given.device:
             check_device(given.device)

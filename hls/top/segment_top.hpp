@@ -13,15 +13,16 @@
 namespace curvecore {
 namespace hls {
 
-using SegmentFrame = unsigned _BitInt(kBusBits)[17 + 3 * TopConfiguration::kAuxAxes];
+template <class C>
+using SegmentFrame = unsigned _BitInt(kBusBits)[17 + 3 * C::kAuxAxes + C::kFurtherWords];
 using FinePosition = TopConfiguration::Fine[TopConfiguration::kAxes];
 
-template <class Kernel>
-inline void draw_sample(const SegmentFrame& words, const Word<kLengthBits + 1>& sigma,
+template <class Kernel, class C = TopConfiguration>
+inline void draw_sample(const SegmentFrame<C>& words, const Word<kLengthBits + 1>& sigma,
                         FinePosition& fine) {
     const auto* word = words;
     Kernel kernel;
-    kernel.load(unpack_segment<TopConfiguration>([&] { return std::uint64_t(*word++); }));
+    kernel.load(unpack_segment<C>([&] { return std::uint64_t(*word++); }));
     for (int step = 0; step < CFG_Steps; ++step) {
         kernel.step();
     }

@@ -6,8 +6,8 @@
 namespace curvecore {
 namespace hls {
 
-extern "C" void spherical_hls(const SegmentFrame& words, const Word<kLengthBits + 1>& sigma,
-                              FinePosition& fine) {
+extern "C" void spherical_hls(const SegmentFrame<TopConfiguration>& words,
+                              const Word<kLengthBits + 1>& sigma, FinePosition& fine) {
     draw_sample<SphericalKernel<TopConfiguration>>(words, sigma, fine);
 }
 

@@ -6,8 +6,8 @@
 namespace curvecore {
 namespace hls {
 
-extern "C" void spline_hls(const SegmentFrame& words, const Word<kLengthBits + 1>& sigma,
-                           FinePosition& fine) {
+extern "C" void spline_hls(const SegmentFrame<TopConfiguration>& words,
+                           const Word<kLengthBits + 1>& sigma, FinePosition& fine) {
     draw_sample<SplineKernel<TopConfiguration>>(words, sigma, fine);
 }
 

@@ -2,9 +2,12 @@
 """The kernels that go through HLS, and their settings."""
 
 import dataclasses
+import pathlib
+import re
+import subprocess
 
 from synthesis.command_line import number
-from synthesis.cores import check_parameters, parameters
+from synthesis.cores import ROOT, check_parameters, parameters
 from synthesis.refused import Refused
 from synthesis.tables import parameters as table
 
@@ -19,11 +22,17 @@ class Kernel:
     name: str
     steps: int | None  # integration steps of a call; None: one
     stages: int  # default stages of the pipeline
+    header: pathlib.Path | None = None  # of a kernel that is made of a table
 
     @property
     def module(self):
-        """The RTL of the same kernel."""
-        return f"{self.name}_interpolator"
+        """The RTL of the same kernel; of a table, that with the same parameters."""
+        return "spherical_interpolator" if self.header else f"{self.name}_interpolator"
+
+    @property
+    def top(self):
+        """The name of the files of its top and bench."""
+        return "curve" if self.header else self.name
 
 
 KERNELS = {kernel.name: kernel for kernel in (
@@ -32,6 +41,31 @@ KERNELS = {kernel.name: kernel for kernel in (
     Kernel("sine_cosine", None, 20),
     Kernel("hyperbola", 0, 20),
 )}
+
+
+TABLES = sorted(path.stem for path in (ROOT / "ref/curves").glob("*.net"))
+PROGRAM = ROOT / "build/curvecore"
+
+
+def named(core):
+    """The kernel of a core, of a shipped table, or of a table of one's own: FILE.net."""
+    if core in KERNELS:
+        return KERNELS[core]
+    if core in TABLES:
+        return Kernel(core, 0, 20, ROOT / "hls/curves" / f"{core}.hpp")
+    if not core.endswith(".net"):
+        raise Refused(f"unknown core '{core}': one of {', '.join([*KERNELS, *TABLES])}, or"
+                      " FILE.net")
+    if not PROGRAM.exists():
+        raise Refused(f"{core}: its kernel is made by {PROGRAM.relative_to(ROOT)}, which is not"
+                      " there: run scripts/demo.sh")
+    made = subprocess.run([PROGRAM, "curve", "kernel", core], capture_output=True, text=True)
+    if made.returncode:
+        raise Refused(made.stderr.strip().removeprefix("curvecore: error: "))
+    file = ROOT / "build/hls/curves" / f"{pathlib.Path(core).stem}.hpp"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(made.stdout)
+    return Kernel(file.stem, 0, 20, file)
 
 
 def parameters_of(kernel):
@@ -63,17 +97,21 @@ class Wanted:
         return {name: int(value) for name, value in known.items()}
 
     def definitions(self):
-        """Macros of C++: every parameter of the table, and the number of steps."""
+        """Options of C++: macros of every parameter and the number of steps, the kernel of a
+        table."""
         values = {one.name: one.default for one in table().values()} | self.parameters
         values["Steps"] = self.steps or 0
-        return [f"-DCFG_{name}={value}" for name, value in values.items()]
+        header = self.kernel.header
+        if header:
+            values["Kernel"] = re.search(r"^class (\w+) ", header.read_text(), re.M)[1]
+            values["Top"] = f"{self.kernel.name}_hls"
+        macros = [f"-DCFG_{name}={value}" for name, value in values.items()]
+        return macros + (["-include", str(header)] if header else [])
 
 
 def wanted(core, given, steps=None, stages=None):
     """Checks all that can be known before a tool runs; raises Refused."""
-    if core not in KERNELS:
-        raise Refused(f"unknown core '{core}': one of {', '.join(KERNELS)}")
-    kernel = KERNELS[core]
+    kernel = named(core)
     for name in given:
         if name in RTL_ALONE:
             raise Refused(f"{name} is the RTL's alone: the pipeline takes a call at every clock")

@@ -22,6 +22,8 @@ class Row:
 
 def read_row(line, cell, given, seeds):
     one = wanted(cell["core"], given, cell.get("steps"), cell.get("stages"))
+    if one.kernel.header:
+        raise Refused(f"core '{one.kernel.name}': a table has no RTL of its own to stand beside")
     check_device(cell["device"])
     return Row(line, one, cell["device"], seeds)
 

@@ -84,7 +84,7 @@ def pipeline(package, module, stages):
 def make(wanted, folder):
     """Writes <module>.v into the folder."""
     module = f"{wanted.kernel.name}_hls"
-    text = llvm(ROOT / "hls/top" / f"{wanted.kernel.name}.cpp", wanted.definitions(), folder)
+    text = llvm(ROOT / "hls/top" / f"{wanted.kernel.top}.cpp", wanted.definitions(), folder)
     try:
         function = Function(text)
         package = function.package()

@@ -18,7 +18,8 @@ endforeach()
 foreach(folder ref hls sysc/cli sysc/core sysc/words sysc/job)
   cmake_path(GET folder PARENT_PATH parent)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers}/${parent}
-          COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def)
+          COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def
+          PATTERN kernel_text.hpp EXCLUDE PATTERN row_names.hpp EXCLUDE)
 endforeach()
 install(EXPORT curvecore NAMESPACE curvecore:: FILE curvecoreTargets.cmake DESTINATION ${config}
         COMPONENT libraries)

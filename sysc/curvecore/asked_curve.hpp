@@ -18,8 +18,8 @@
 
 namespace curvecore::sysc {
 
-enum class CurveAction { kCheck, kRun, kDerive };
-constexpr std::array<std::string_view, 3> kCurveActions{"check", "run", "derive"};
+enum class CurveAction { kCheck, kRun, kDerive, kKernel };
+constexpr std::array<std::string_view, 4> kCurveActions{"check", "run", "derive", "kernel"};
 
 /// A row's values of a segment, of X Y Z where it has axes.
 struct RowValues {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore curve`: a table of a curve (ref/curves/curve_table.hpp): its rows, what the engine
-// needs for it, how far its words may be off a segment of it; and the curve drawn as a part is.
+// needs for it, how far its words may be off a segment of it; its kernel; and the curve drawn as a
+// part is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hls/curves/kernel_text.hpp"
 #include "hls/registers/board_facts.h"
 #include "ref/bound/table_bound.hpp"
 #include "ref/curves/order_demand.hpp"
@@ -20,6 +22,7 @@
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/curvecore/asked_curve.hpp"
 #include "sysc/curvecore/commands.hpp"
+#include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -178,7 +181,16 @@ int derive(CurveOptions& asked) {
     return 0;
 }
 
+/// Prints the table's kernel, as a header of C++.
+int kernel(CurveOptions& asked) {
+    if (asked.has_formulas()) throw UsageError("--x --y --z: of run and derive");
+    const std::string file = table_file("FILE", asked.part.options.file);
+    fmt::print("{}", hls::kernel_text(ref::read_curve_table(file), ref::read_text_file(file)));
+    return 0;
+}
+
 int curve_command(CurveOptions& asked) {
+    if (asked.action == CurveAction::kKernel) return kernel(asked);
     if (asked.action == CurveAction::kDerive) return derive(asked);
     return asked.action == CurveAction::kCheck ? check(asked) : run(asked);
 }
@@ -193,11 +205,13 @@ void add_curve(CLI::App& app, int& status) {
     add_choice(command, "ACTION", asked.action, kCurveActions,
                "{}; check: its rows, what the engine needs, and with --row the bound of a segment; "
                "run: draws it and compares every sample, as the command run does; derive: writes "
-               "the table of formulas, and says how a program names it")
+               "the table of formulas, and says how a program names it; kernel: prints it as a "
+               "kernel of C++, over hls/curves/curve_steps.hpp")
         ->required();
-    add_text(command, "FILE", asked.part.options.file, "FILE.net",
-             "the table; of run also the name of one in ref/curves, or with formulas one that is "
-             "not there")
+    add_text(
+        command, "FILE", asked.part.options.file, "FILE.net",
+        "the table; of run and kernel also the name of one in ref/curves, or with formulas one "
+        "that is not there")
         ->required();
     for (const auto& [name, text] :
          {std::pair("--x", &asked.x), std::pair("--y", &asked.y), std::pair("--z", &asked.z)}) {

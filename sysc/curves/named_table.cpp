@@ -40,18 +40,19 @@ void check_table_name(const ref::CurveTable& table) {
     }
 }
 
+std::string table_file(const std::string& option, const std::string& name) {
+    if (fs::path(name).extension() == ".net") return name;
+    const fs::path file = shipped_folder() / (name + ".net");
+    if (fs::exists(file)) return file;
+    std::vector<std::string> names;
+    for (const fs::path& one : shipped_tables()) names.push_back(one.stem());
+    throw UsageError(
+        fmt::format("{} '{}': it is FILE.net, or one of {}", option, name, fmt::join(names, ", ")));
+}
+
 std::shared_ptr<const ref::CurveTable> named_table(const std::string& name) {
-    fs::path file = name;
-    if (file.extension() != ".net") {
-        file = shipped_folder() / (name + ".net");
-        if (!fs::exists(file)) {
-            std::vector<std::string> names;
-            for (const fs::path& one : shipped_tables()) names.push_back(one.stem());
-            throw UsageError(fmt::format("--curve '{}': it is FILE.net, or one of {}", name,
-                                         fmt::join(names, ", ")));
-        }
-    }
-    auto table = std::make_shared<ref::CurveTable>(ref::read_curve_table(file));
+    auto table =
+        std::make_shared<ref::CurveTable>(ref::read_curve_table(table_file("--curve", name)));
     check_table_name(*table);
     table->powers = ref::row_powers(*table);
     return table;

@@ -10,6 +10,9 @@
 
 namespace curvecore::sysc {
 
+/// Returns FILE.net, or the file of a shipped table's name. @throws UsageError: none has it
+std::string table_file(const std::string& option, const std::string& name);
+
 /// Reads FILE.net, or NAME.net of the shipped ref/curves, for segments of a program: with the
 /// powers of its rows. @throws ref::InputError; UsageError: there is no such name
 std::shared_ptr<const ref::CurveTable> named_table(const std::string& name);

@@ -8,8 +8,7 @@
 
 #include "tb/cli/program_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::curve_test {
 
 using Arguments = std::vector<std::string>;
 
@@ -110,8 +109,22 @@ TEST_F(CurveCommand, RefusesWhatIsNoSegment) {
     EXPECT_EQ(refusal(of({"--set", "Anchor=0", "--set", "Splines=1"})),
               "curvecore: error: --set: a table is drawn with Anchor=1 and ParameterGuard=0\n");
     EXPECT_EQ(refusal({"curve", "draw", "c.net"}),
-              "curvecore: error: ACTION 'draw': must be one of check, run, derive\n");
+              "curvecore: error: ACTION 'draw': must be one of check, run, derive, kernel\n");
     EXPECT_EQ(refusal({"curve", "check", "none.net"}).substr(0, 9), "none.net:");
+}
+
+TEST_F(CurveCommand, PrintsTheKernelOfATable) {
+    const ProgramResult result = program_.run({"curve", "kernel", "c.net"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::ifstream file(CURVES_DIR "/../../hls/curves/clothoid.hpp");
+    std::string kept{std::istreambuf_iterator<char>(file), {}};
+    kept.replace(kept.find("clothoid.net"), 12, "c.net");
+    EXPECT_EQ(result.out, kept);
+    EXPECT_EQ(program_.run({"curve", "kernel", "arc"}).status, 0);
+    EXPECT_EQ(refusal({"curve", "kernel", "circle"}).substr(0, 72),
+              "curvecore: error: FILE 'circle': it is FILE.net, or one of arc, archimed");
+    EXPECT_EQ(refusal({"curve", "kernel", "c.net", "--x", "t"}),
+              "curvecore: error: --x --y --z: of run and derive\n");
 }
 
 /// A formula that is in no file, from its text through the RTL.
@@ -262,5 +275,4 @@ TEST_F(CurveCommand, NamesALineThatIsWrong) {
         << result.out << result.err;
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::curve_test

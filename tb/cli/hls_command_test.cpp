@@ -7,8 +7,7 @@
 
 #include "tb/cli/synth_run.hpp"
 
-namespace curvecore::tb {
-namespace {
+namespace curvecore::tb::hls_command_test {
 
 using testing::IsNotSubstring;
 using testing::IsSubstring;
@@ -22,8 +21,10 @@ struct BadCommand {
 void PrintTo(const BadCommand& bad, std::ostream* out) { *out << bad.name; }
 
 const std::vector<BadCommand> kBadCommands{
-    {"NoCore", "", "hls: --core is missing: one of spherical, spline, sine_cosine, hyperbola\n"},
+    {"NoCore", "",
+     "hls: --core is missing: one of spherical, spline, sine_cosine, hyperbola, or a table\n"},
     {"UnknownCore", "--core circle", "hls: unknown core 'circle': one of spherical, "},
+    {"NoFileOfATable", "--core none.net", "hls: none.net: "},
     {"UnknownParameter", "--core sine_cosine --set Mode=1",
      "hls: sine_cosine_interpolator has no parameter Mode: one of Order, "},
     {"ParameterTooLarge", "--core spline --set CoefBits=37",
@@ -158,5 +159,4 @@ TEST(HlsSweep, TableThatShipsIsRight) {
     EXPECT_PRED_FORMAT2(IsNotSubstring, ": error: ", result.err);
 }
 
-}  // namespace
-}  // namespace curvecore::tb
+}  // namespace curvecore::tb::hls_command_test

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// y = cosh(b x)/b, of slope p: kappa = b cos(p)^2, and p' = kappa. c and e are cosine and sine of
+// p.
+// Made by `curvecore curve kernel catenary.net`: each line stands above its statement.
+#pragma once
+
+#include "hls/curves/curve_steps.hpp"
+
+// clang-format off
+namespace curvecore {
+namespace hls {
+inline namespace CURVECORE_STORAGE {
+
+/// A hanging chain, in any plane.
+template <class C>
+class CatenaryCurve : private CurveSteps<C> {
+    using Steps = CurveSteps<C>;
+    using Steps::before;
+    using Steps::down;
+    using Steps::even;
+    using Steps::lifted;
+    using Steps::odd;
+    using Steps::over;
+    using Steps::rounded;
+    using Steps::series_times;
+    using Steps::stieltjes;
+    using Steps::sum;
+    using Steps::times;
+
+  public:
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+    static constexpr int kFurther = 2;  // words of a segment that are the table's own
+
+    CatenaryCurve() = default;
+    explicit CatenaryCurve(const C& format) : Steps(format) {}
+
+    /// Opens a segment at its first step.
+    void load(const SegmentWords<C>& segment) {
+        Steps::open(segment);
+        c_[0] = segment.further[0];
+        e_[0] = segment.further[1];
+        b_ = segment.theta;
+        for (int axis = 0; axis < 3; ++axis) {
+            N_[axis][0] = segment.normal[axis];
+            T_[axis][0] = segment.tangent[axis];
+        }
+        expand();
+    }
+
+    /// Moves on to the next integration step.
+    void step() {
+        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        for (int axis = 0; axis < 3; ++axis) {
+            // move[k] : -2 = sum(x[k])
+            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            // T[k] : -2 = T[k] + sum(T[k])
+            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            // N[k] : -2 = N[k] + sum(N[k])
+            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+        }
+        // c : -2 = c + sum(c)
+        c_[0] = Coef(c_[0] + sum(c_, C::kOrder));
+        // e : -2 = e + sum(e)
+        e_[0] = Coef(e_[0] + sum(e_, C::kOrder));
+        Steps::move_origin(move);
+        Steps::move_auxiliary();
+        expand();
+    }
+
+    /// Sets the fine position at an offset of quanta into the present step.
+    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {
+        const Coef tau = Steps::tau_of(offset);
+        Coef d[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            d[axis] = Steps::in_tau(x_[axis], tau);
+        }
+        Steps::draw(d, tau, out);
+    }
+
+  private:
+    void expand() {
+        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef Dc[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef De[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef c2[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef kappa[C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
+        // c2 : -2 = c*c
+        c2[0] = rounded(times(c_[0], c_[0]), C::kCoefBits - 2);
+        // kappa : 0 = b*c2
+        kappa[0] = rounded(times(b_, c2[0]), C::kCoefBits - 2);
+        for (int i = 1; i <= C::kOrder; ++i) {
+            // Dc : -2 = - kappa*e'
+            Dc[i] = rounded(-series_times(kappa, e_, i - 1), C::kCoefBits);
+            // De : -2 = kappa*c'
+            De[i] = rounded(series_times(kappa, c_, i - 1), C::kCoefBits);
+            // c : -2 = Dc/i
+            c_[i] = rounded(over(Dc[i], i), C::kCoefBits - 1);
+            // e : -2 = De/i
+            e_[i] = rounded(over(De[i], i), C::kCoefBits - 1);
+            // c2 : -2 = c*c
+            c2[i] = rounded(series_times(c_, c_, i), C::kCoefBits - 2);
+            // kappa : 0 = b*c2
+            kappa[i] = rounded(times(b_, c2[i]), C::kCoefBits - 2);
+            for (int axis = 0; axis < 3; ++axis) {
+                // DT[k] : -2 = kappa*N[k]'
+                DT[axis][i] = rounded(series_times(kappa, N_[axis], i - 1), C::kCoefBits);
+                // DN[k] : -2 = - kappa*T[k]'
+                DN[axis][i] = rounded(-series_times(kappa, T_[axis], i - 1), C::kCoefBits);
+                // N[k] : -2 = DN[k]/i
+                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                // T[k] : -2 = DT[k]/i
+                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                // x[k] : -2 = T[k]'/i
+                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
+            }
+        }
+    }
+
+    Coef N_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef b_ = 0;                                  // CoefBits +0 fraction bits: +-0.5
+    Coef c_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef e_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+};
+
+}  // namespace CURVECORE_STORAGE
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The natural equation of a curve, T' = kappa N, with its frame in any plane; T and N of length 1.
+// Each axis has its own kappa, as a segment has no word more; the three are the same.
+// Made by `curvecore curve kernel clothoid.net`: each line stands above its statement.
+#pragma once
+
+#include "hls/curves/curve_steps.hpp"
+
+// clang-format off
+namespace curvecore {
+namespace hls {
+inline namespace CURVECORE_STORAGE {
+
+/// A curve whose curvature is linear in its path, in any plane.
+template <class C>
+class ClothoidCurve : private CurveSteps<C> {
+    using Steps = CurveSteps<C>;
+    using Steps::before;
+    using Steps::down;
+    using Steps::even;
+    using Steps::lifted;
+    using Steps::odd;
+    using Steps::over;
+    using Steps::rounded;
+    using Steps::series_times;
+    using Steps::stieltjes;
+    using Steps::sum;
+    using Steps::times;
+
+  public:
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+    static constexpr int kFurther = 0;  // words of a segment that are the table's own
+
+    ClothoidCurve() = default;
+    explicit ClothoidCurve(const C& format) : Steps(format) {}
+
+    /// Opens a segment at its first step.
+    void load(const SegmentWords<C>& segment) {
+        Steps::open(segment);
+        sigma_ = segment.theta;
+        for (int axis = 0; axis < 3; ++axis) {
+            kappa_[axis] = segment.advance[axis];
+            N_[axis][0] = segment.normal[axis];
+            T_[axis][0] = segment.tangent[axis];
+        }
+        expand();
+    }
+
+    /// Moves on to the next integration step.
+    void step() {
+        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        for (int axis = 0; axis < 3; ++axis) {
+            // move[k] : -2 = sum(x[k])
+            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            // T[k] : -2 = T[k] + sum(T[k])
+            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            // N[k] : -2 = N[k] + sum(N[k])
+            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+            // kappa[k] : +1 = kappa[k].0 + sigma
+            kappa_[axis] = Coef(kappa_[axis] + sigma_);
+        }
+        Steps::move_origin(move);
+        Steps::move_auxiliary();
+        expand();
+    }
+
+    /// Sets the fine position at an offset of quanta into the present step.
+    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {
+        const Coef tau = Steps::tau_of(offset);
+        Coef d[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            d[axis] = Steps::in_tau(x_[axis], tau);
+        }
+        Steps::draw(d, tau, out);
+    }
+
+  private:
+    void expand() {
+        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef minus_kappa[3] = {};                     // CoefBits +1 fraction bits: +-0.25
+        Coef minus_sigma = 0;                         // CoefBits +1 fraction bits: +-0.25
+        for (int axis = 0; axis < 3; ++axis) {
+            // minus_kappa[k] : +1 = - kappa[k].0
+            minus_kappa[axis] = Coef(-kappa_[axis]);
+        }
+        // minus_sigma : +1 = - sigma
+        minus_sigma = Coef(-sigma_);
+        for (int i = 1; i <= C::kOrder; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                // DT[k] : -2 = kappa[k].0*N[k]' + sigma*N[k]''
+                DT[axis][i] = rounded(times(kappa_[axis], N_[axis][i - 1]) +
+                    times(sigma_, before(N_[axis], i - 2)), C::kCoefBits + 1);
+                // DN[k] : -2 = minus_kappa[k]*T[k]' + minus_sigma*T[k]''
+                DN[axis][i] = rounded(times(minus_kappa[axis], T_[axis][i - 1]) +
+                    times(minus_sigma, before(T_[axis], i - 2)), C::kCoefBits + 1);
+                // N[k] : -2 = DN[k]/i
+                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                // T[k] : -2 = DT[k]/i
+                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                // x[k] : -2 = T[k]'/i
+                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
+            }
+        }
+    }
+
+    Coef N_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef kappa_[3] = {};                          // CoefBits +1 fraction bits: +-0.25
+    Coef sigma_ = 0;                              // CoefBits +1 fraction bits: +-0.25
+    Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+};
+
+}  // namespace CURVECORE_STORAGE
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// (a cos p + b sin p)/mu at constant path speed: p' = mu u with u = 1/|V|, V = b cos p - a sin p,
+// u' = -u^3 V V'. c and e are cosine and sine of p.
+// Made by `curvecore curve kernel ellipse.net`: each line stands above its statement.
+#pragma once
+
+#include "hls/curves/curve_steps.hpp"
+
+// clang-format off
+namespace curvecore {
+namespace hls {
+inline namespace CURVECORE_STORAGE {
+
+/// An ellipse in any plane, by its half axes times mu.
+template <class C>
+class EllipseCurve : private CurveSteps<C> {
+    using Steps = CurveSteps<C>;
+    using Steps::before;
+    using Steps::down;
+    using Steps::even;
+    using Steps::lifted;
+    using Steps::odd;
+    using Steps::over;
+    using Steps::rounded;
+    using Steps::series_times;
+    using Steps::stieltjes;
+    using Steps::sum;
+    using Steps::times;
+
+  public:
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+    static constexpr int kFurther = 3;  // words of a segment that are the table's own
+
+    EllipseCurve() = default;
+    explicit EllipseCurve(const C& format) : Steps(format) {}
+
+    /// Opens a segment at its first step.
+    void load(const SegmentWords<C>& segment) {
+        Steps::open(segment);
+        c_[0] = segment.further[0];
+        e_[0] = segment.further[1];
+        u_[0] = segment.further[2];
+        mu_ = segment.theta;
+        for (int axis = 0; axis < 3; ++axis) {
+            b_[axis] = segment.normal[axis];
+            a_[axis] = segment.tangent[axis];
+        }
+        expand();
+    }
+
+    /// Moves on to the next integration step.
+    void step() {
+        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        for (int axis = 0; axis < 3; ++axis) {
+            // move[k] : -2 = sum(x[k])
+            move[axis] = Coef(sum(x_[axis], C::kOrder));
+        }
+        // c : -2 = c + sum(c)
+        c_[0] = Coef(c_[0] + sum(c_, C::kOrder));
+        // e : -2 = e + sum(e)
+        e_[0] = Coef(e_[0] + sum(e_, C::kOrder));
+        // u : -3 = u + sum(u)
+        u_[0] = Coef(u_[0] + sum(u_, C::kOrder));
+        Steps::move_origin(move);
+        Steps::move_auxiliary();
+        expand();
+    }
+
+    /// Sets the fine position at an offset of quanta into the present step.
+    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {
+        const Coef tau = Steps::tau_of(offset);
+        Coef d[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            d[axis] = Steps::in_tau(x_[axis], tau);
+        }
+        Steps::draw(d, tau, out);
+    }
+
+  private:
+    void expand() {
+        Coef DG[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef DV[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef Dc[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef De[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef Dp[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef Du[C::kMostOrder + 1] = {};              // CoefBits -4 fraction bits: +-8
+        Coef Q[C::kMostOrder + 1] = {};               // CoefBits -7 fraction bits: +-64
+        Coef S[C::kMostOrder + 1] = {};               // CoefBits -5 fraction bits: +-16
+        Coef T[3][C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+        Coef V[3][C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+        for (int axis = 0; axis < 3; ++axis) {
+            // V[k] : -2 = b[k]*c - a[k]*e
+            V[axis][0] = rounded(times(b_[axis], c_[0]) - times(a_[axis], e_[0]), C::kCoefBits - 2);
+        }
+        // S : -5 = u*u
+        S[0] = rounded(times(u_[0], u_[0]), C::kCoefBits - 1);
+        // Q : -7 = - S*u
+        Q[0] = rounded(-times(S[0], u_[0]), C::kCoefBits - 1);
+        for (int axis = 0; axis < 3; ++axis) {
+            // T[k] : -2 = V[k]*u
+            T[axis][0] = rounded(times(V[axis][0], u_[0]), C::kCoefBits - 3);
+        }
+        for (int i = 1; i <= C::kOrder; ++i) {
+            // Dp : -2 = mu*u'
+            Dp[i] = rounded(times(mu_, u_[i - 1]), C::kCoefBits);
+            // Dc : -2 = - e*Dp
+            Dc[i] = rounded(-stieltjes(e_, Dp, i), C::kCoefBits - 2);
+            // De : -2 = c*Dp
+            De[i] = rounded(stieltjes(c_, Dp, i), C::kCoefBits - 2);
+            for (int axis = 0; axis < 3; ++axis) {
+                // DV[k] : -2 = b[k]*Dc - a[k]*De
+                DV[axis][i] = rounded(times(b_[axis], Dc[i]) -
+                    times(a_[axis], De[i]), C::kCoefBits - 2);
+            }
+            // DG : -2 += V[k]*DV[k]
+            DG[i] = Coef(rounded(stieltjes(V[0], DV[0], i), C::kCoefBits - 2) +
+                rounded(stieltjes(V[1], DV[1], i), C::kCoefBits - 2) +
+                rounded(stieltjes(V[2], DV[2], i), C::kCoefBits - 2));
+            // Du : -4 = Q*DG
+            Du[i] = rounded(stieltjes(Q, DG, i), C::kCoefBits - 5);
+            // c : -2 = Dc/i
+            c_[i] = rounded(over(Dc[i], i), C::kCoefBits - 1);
+            // e : -2 = De/i
+            e_[i] = rounded(over(De[i], i), C::kCoefBits - 1);
+            // u : -3 = Du/i
+            u_[i] = rounded(over(Du[i], i), C::kCoefBits - 2);
+            if (i <= C::kOrder - 1) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    // V[k] : -2 = DV[k]/i
+                    V[axis][i] = rounded(over(DV[axis][i], i), C::kCoefBits - 1);
+                }
+                // S : -5 = u*u
+                S[i] = rounded(series_times(u_, u_, i), C::kCoefBits - 1);
+                // Q : -7 = - S*u
+                Q[i] = rounded(-series_times(S, u_, i), C::kCoefBits - 1);
+                for (int axis = 0; axis < 3; ++axis) {
+                    // T[k] : -2 = V[k]*u
+                    T[axis][i] = rounded(series_times(V[axis], u_, i), C::kCoefBits - 3);
+                }
+            }
+            for (int axis = 0; axis < 3; ++axis) {
+                // x[k] : -2 = T[k]'/i
+                x_[axis][i] = rounded(over(T[axis][i - 1], i), C::kCoefBits - 1);
+            }
+        }
+    }
+
+    Coef a_[3] = {};                              // CoefBits -2 fraction bits: +-2
+    Coef b_[3] = {};                              // CoefBits -2 fraction bits: +-2
+    Coef c_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef e_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef mu_ = 0;                                 // CoefBits +1 fraction bits: +-0.25
+    Coef u_[C::kMostOrder + 1] = {};              // CoefBits -3 fraction bits: +-4
+    Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+};
+
+}  // namespace CURVECORE_STORAGE
+}  // namespace hls
+}  // namespace curvecore

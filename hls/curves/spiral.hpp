@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// r = e^(c p), the path grows with r: kappa' = -c kappa^2.
+// Made by `curvecore curve kernel spiral.net`: each line stands above its statement.
+#pragma once
+
+#include "hls/curves/curve_steps.hpp"
+
+// clang-format off
+namespace curvecore {
+namespace hls {
+inline namespace CURVECORE_STORAGE {
+
+/// A logarithmic spiral, in any plane.
+template <class C>
+class SpiralCurve : private CurveSteps<C> {
+    using Steps = CurveSteps<C>;
+    using Steps::before;
+    using Steps::down;
+    using Steps::even;
+    using Steps::lifted;
+    using Steps::odd;
+    using Steps::over;
+    using Steps::rounded;
+    using Steps::series_times;
+    using Steps::stieltjes;
+    using Steps::sum;
+    using Steps::times;
+
+  public:
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+    static constexpr int kFurther = 1;  // words of a segment that are the table's own
+
+    SpiralCurve() = default;
+    explicit SpiralCurve(const C& format) : Steps(format) {}
+
+    /// Opens a segment at its first step.
+    void load(const SegmentWords<C>& segment) {
+        Steps::open(segment);
+        kappa_[0] = segment.further[0];
+        c_ = segment.theta;
+        for (int axis = 0; axis < 3; ++axis) {
+            N_[axis][0] = segment.normal[axis];
+            T_[axis][0] = segment.tangent[axis];
+        }
+        expand();
+    }
+
+    /// Moves on to the next integration step.
+    void step() {
+        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        for (int axis = 0; axis < 3; ++axis) {
+            // move[k] : -2 = sum(x[k])
+            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            // T[k] : -2 = T[k] + sum(T[k])
+            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            // N[k] : -2 = N[k] + sum(N[k])
+            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+        }
+        // kappa : 0 = kappa + sum(kappa)
+        kappa_[0] = Coef(kappa_[0] + sum(kappa_, C::kOrder));
+        Steps::move_origin(move);
+        Steps::move_auxiliary();
+        expand();
+    }
+
+    /// Sets the fine position at an offset of quanta into the present step.
+    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {
+        const Coef tau = Steps::tau_of(offset);
+        Coef d[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            d[axis] = Steps::in_tau(x_[axis], tau);
+        }
+        Steps::draw(d, tau, out);
+    }
+
+  private:
+    void expand() {
+        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef Dkappa[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef kappa2[C::kMostOrder + 1] = {};          // CoefBits +1 fraction bits: +-0.25
+        // kappa2 : +1 = kappa*kappa
+        kappa2[0] = rounded(times(kappa_[0], kappa_[0]), C::kCoefBits - 1);
+        for (int i = 1; i <= C::kOrder; ++i) {
+            // Dkappa : 0 = - c*kappa2'
+            Dkappa[i] = rounded(-times(c_, kappa2[i - 1]), C::kCoefBits - 2);
+            // kappa : 0 = Dkappa/i
+            kappa_[i] = rounded(over(Dkappa[i], i), C::kCoefBits - 1);
+            if (i <= C::kOrder - 1) {
+                // kappa2 : +1 = kappa*kappa
+                kappa2[i] = rounded(series_times(kappa_, kappa_, i), C::kCoefBits - 1);
+            }
+            for (int axis = 0; axis < 3; ++axis) {
+                // DT[k] : -2 = kappa*N[k]'
+                DT[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
+                // DN[k] : -2 = - kappa*T[k]'
+                DN[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
+                // N[k] : -2 = DN[k]/i
+                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                // T[k] : -2 = DT[k]/i
+                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                // x[k] : -2 = T[k]'/i
+                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
+            }
+        }
+    }
+
+    Coef N_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+    Coef c_ = 0;                                  // CoefBits -3 fraction bits: +-4
+    Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+    Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+};
+
+}  // namespace CURVECORE_STORAGE
+}  // namespace hls
+}  // namespace curvecore

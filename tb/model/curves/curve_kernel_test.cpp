@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernels of C++ that are made of tables (hls/curves): those of arcs and splines against the ones
+// written by hand, the others against the table run in words.
+#include <gtest/gtest.h>
+
+#include "hls/curves/arc.hpp"
+#include "hls/curves/archimedean.hpp"
+#include "hls/curves/catenary.hpp"
+#include "hls/curves/clothoid.hpp"
+#include "hls/curves/ellipse.hpp"
+#include "hls/curves/involute.hpp"
+#include "hls/curves/kernel_text.hpp"
+#include "hls/curves/quintic.hpp"
+#include "hls/curves/series.hpp"
+#include "hls/curves/spiral.hpp"
+#include "hls/curves/spline.hpp"
+#include "hls/quantise.hpp"
+#include "ref/text/input_error.hpp"
+#include "sysc/core/table_kernel.hpp"
+#include "tb/support/microcode/curve_comparison.hpp"
+#include "tb/support/microcode/microcode_configurations.hpp"
+#include "tb/support/programs/long_form.hpp"
+#include "tb/support/segments/table_families.hpp"
+
+namespace curvecore::tb::curve_kernel_test {
+
+using Format = sysc::RunTimeFormat;
+
+/// Samples of so many axes that differ, over steps of a segment.
+template <class Kernel, class Other>
+int differ(Kernel& kernel, Other& other, const sysc::RunSegment& words, int axes, int steps,
+           std::mt19937_64& random) {
+    kernel.load(words);
+    other.load(words);
+    int sum = 0;
+    for (int step = 0; step < steps; ++step) {
+        if (step > 0) {
+            kernel.step();
+            other.step();
+        }
+        for (int sample = 0; sample < 3; ++sample) {
+            const int bits = words.step_exponent + hls::kPathFrac;
+            const auto sigma =
+                static_cast<std::int64_t>(sample == 0 ? 0 : random() % (std::uint64_t{1} << bits));
+            std::int64_t fine[sysc::kMostAxes];
+            std::int64_t others[sysc::kMostAxes];
+            kernel.sample(sigma, fine);
+            other.sample(sigma, others);
+            for (int axis = 0; axis < axes; ++axis) sum += fine[axis] == others[axis] ? 0 : 1;
+        }
+    }
+    return sum;
+}
+
+/// Words of arcs and splines that differ from those of the kernels written by hand.
+template <class Made, class ByHand>
+int differ_from_hand(const CurveCase& of, int segments, std::mt19937_64& random) {
+    int sum = 0;
+    int beyond = 0;  // segments that leave the range of a word: other bits are cut off
+    for (int n = 0; n < segments; ++n) {
+        sysc::ValueRanges ranges(of.core.coef_bits);
+        const Format format(of.core, of.core.axes(), &ranges);
+        Made made(format);
+        ByHand by_hand(format);
+        const int words =
+            differ(made, by_hand, random_segment(of, random), of.core.axes(), 3, random);
+        if (ranges.missing() > 0) {
+            ++beyond;
+        } else {
+            sum += words;
+        }
+    }
+    EXPECT_LT(beyond, 1 + segments / 100);
+    return sum;
+}
+
+TEST(CurveKernel, OfArcsAndSplinesHasTheWordsOfThoseWrittenByHand) {
+    std::mt19937_64 random(5);
+    int seen = 0;
+    for (const CurveCase& of : configurations()) {
+        const int segments = cases(100, 10000);
+        EXPECT_EQ(
+            (of.spline ? differ_from_hand<hls::SplineCurve<Format>, hls::SplineKernel<Format>>(
+                             of, segments, random)
+                       : differ_from_hand<hls::ArcCurve<Format>, hls::SphericalKernel<Format>>(
+                             of, segments, random)),
+            0)
+            << text(of);
+        ++seen;
+    }
+    EXPECT_GT(seen, 100);
+}
+
+template <class Kernel>
+void draws_the_tables_words(const std::string& name) {
+    TableFamilies families(CURVES_DIR, 3);
+    std::mt19937_64 random(9);
+    const auto table = families.table(name);
+    EXPECT_EQ(Kernel::kFurther, table->further_words());
+    for (CurveCase of : configurations()) {
+        if (of.spline) continue;
+        ref::add_table(table, of.core);
+        const Format format(of.core, of.core.axes());
+        Kernel kernel(format);
+        sysc::TableKernel machine(*table, format);
+        for (int n = 0; n < cases(2, 50); ++n) {
+            ref::Segment segment;
+            const TableCase exact = families.next(name);
+            const int k = of.core.position_bits - 7;  // long steps, in which words keep ranges
+            const int parts = name == "archimedean" ? 9 : 6;
+            segment.curve = exact.piece.rescaled(std::ldexp(1, k + parts) / exact.length);
+            segment.step_exponent = k;
+            EXPECT_EQ(differ(kernel, machine, hls::to_words(segment, format), 3, 3, random), 0)
+                << name << " " << text(of);
+        }
+    }
+}
+
+TEST(CurveKernel, OfATableHasItsWords) {
+    draws_the_tables_words<hls::ArchimedeanCurve<Format>>("archimedean");
+    draws_the_tables_words<hls::CatenaryCurve<Format>>("catenary");
+    draws_the_tables_words<hls::ClothoidCurve<Format>>("clothoid");
+    draws_the_tables_words<hls::EllipseCurve<Format>>("ellipse");
+    draws_the_tables_words<hls::InvoluteCurve<Format>>("involute");
+    draws_the_tables_words<hls::QuinticCurve<Format>>("quintic");
+    draws_the_tables_words<hls::SpiralCurve<Format>>("spiral");
+}
+
+TEST(CurveKernel, OfASeriesHasItsWords) {
+    const ref::CurveTable table = ref::read_curve_table(std::string(CURVES_DIR) + "/series.net");
+    std::mt19937_64 random(2);
+    for (CurveCase of : configurations()) {
+        if (of.spline) continue;
+        ref::add_table(std::make_shared<ref::CurveTable>(table), of.core);
+        const Format format(of.core, of.core.axes());
+        hls::SeriesCurve<Format> kernel(format);
+        sysc::TableKernel machine(table, format);
+        for (int n = 0; n < cases(5, 200); ++n) {
+            const auto word = [&](int order) {
+                const double most = std::ldexp(1.0, of.core.coef_bits - 3 - order);
+                return static_cast<std::int64_t>(
+                    std::uniform_real_distribution<double>(-most, most)(random));
+            };
+            sysc::RunSegment words;
+            words.step_exponent = std::min(hls::kMaxStepExponent, of.core.position_bits - 4);
+            words.lambda = words.step_exponent;
+            for (int axis = 0; axis < 3; ++axis) {
+                words.tangent[axis] = word(0);
+                words.normal[axis] = word(1);
+                words.advance[axis] = word(2);
+                for (int order = 3; order < 6; ++order) {
+                    words.further[3 * (order - 3) + axis] = word(order);
+                }
+            }
+            EXPECT_EQ(differ(kernel, machine, words, 3, 1, random), 0) << text(of);
+        }
+    }
+}
+
+ref::CurveTable changed(const std::string& from, const std::string& to) {
+    std::string text =
+        "curve bent a curve\nword c[3] -2\nbus tangent c\noutput x\nanchor\n"
+        "  x[k].1 : -2 = c[k]\n  e[k] : -3 = 1/2 c[k]\n"
+        "next\n  move[k] : -2 = sum(x[k])\n";
+    text.replace(text.find(from), from.size(), to);
+    return ref::read_curve_text("bent.net", text);
+}
+
+std::string refusal(const ref::CurveTable& table) {
+    try {
+        hls::kernel_text(table, table.text);
+    } catch (const ref::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CurveKernel, RefusesWhatNoStatementSays) {
+    EXPECT_EQ(refusal(changed("anchor", "anchor")), "");
+    EXPECT_EQ(refusal(changed("word c", "const half -2 0.5\nword c")),
+              "bent.net:1: error: half: a kernel of C++ takes whole numbers as constants alone");
+    EXPECT_EQ(refusal(changed("1/2 c[k]", "1/2")),
+              "bent.net:7: error: a kernel of C++ takes whole numbers as constants alone");
+}
+
+}  // namespace curvecore::tb::curve_kernel_test
