@@ -3,7 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "sysc/cli/html_page.hpp"
 #include "sysc/compare/compare_report.hpp"
+#include "sysc/compare/compare_template.hpp"
 #include "sysc/curves/parameter_sets.hpp"
 
 namespace curvecore::sysc {
@@ -138,6 +140,16 @@ Json CompareReport::json() const {
     for (std::size_t move = 0; !options.schemes.empty() && move < program.moves.size(); ++move) {
         curves.push_back(curve_name(move));
     }
+    Json answered = Json::array();
+    for (const Answer& answer : answers) {
+        answered.push_back(
+            {{"device", answer.device->name},
+             {"keep", answer.keep},
+             {"core", answer.take ? answer.core(options).json() : Json(nullptr)},
+             {"estimate",
+              answer.take ? estimate_json(answer.take->cost, *answer.device) : Json(nullptr)},
+             {"text", answer.text(options, asked())}});
+    }
     return {{"title", title()},
             {"curves", curves},
             {"version", CURVECORE_PROGRAM_VERSION},
@@ -158,8 +170,11 @@ Json CompareReport::json() const {
               {"lut", device.lut_name()},
               {"build", build_name(options.settings.front().build)},
               {"source", cost_model_source(device)}}},
+            {"answers", answered},
             {"parameters", columns},
             {"rows", rows}};
 }
+
+std::string CompareReport::html() const { return html_page(kCompareTemplate, page_json(json())); }
 
 }  // namespace curvecore::sysc

@@ -107,7 +107,7 @@ void complete(CompareOptions& options) {
     }
     options.sweep.unit_mm = common.unit_mm;
     options.sweep.limit = common.error_limit;
-    options.sweep.device = device_of(common.device.empty() ? kComparedDevice : common.device);
+    options.sweep.device = options.devices.front();
     options.sweep.quiet = common.quiet;
 }
 

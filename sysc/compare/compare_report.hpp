@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "sysc/compare/compare_options.hpp"
+#include "sysc/compare/answer.hpp"
 
 namespace curvecore::sysc {
 
@@ -13,6 +13,7 @@ struct CompareReport {
     const CompareOptions& options;
     const ref::Program& program;
     const SweepResult& result;
+    std::vector<Answer> answers;
 
     bool held() const;  // true: every row within its bound, every end exact
     nlohmann::ordered_json json() const;
@@ -22,6 +23,8 @@ struct CompareReport {
     /// Returns the worst distance on every curve, a line for each; only with --scheme.
     std::string curves_table() const;
     std::string html() const;
+    /// Returns which configuration to take on each device.
+    std::string answer_text() const;
     /// Returns the number of rows that were asked for.
     std::size_t asked() const;
 

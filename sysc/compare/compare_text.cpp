@@ -225,6 +225,13 @@ std::string CompareReport::table() const {
                               cost_model_source(device));
 }
 
+std::string CompareReport::answer_text() const {
+    if (!options.schemes.empty()) return "";
+    std::string text;
+    for (const Answer& answer : answers) text += answer.text(options, asked());
+    return text;
+}
+
 std::string CompareReport::curves_table() const {
     constexpr std::size_t kMostCurves = 30;
     constexpr std::size_t kMostRows = 12;

@@ -67,6 +67,57 @@ TEST_F(Compare, KnowsNoClockWhereNothingIsPlaced) {
     EXPECT_NE(text.find("cells of Yosys, not placed"), std::string::npos) << text;
 }
 
+/// The smallest configuration that keeps the error, in either build, on each device.
+TEST_F(Compare, AnswersWhichConfigurationToTake) {
+    program_.write("part.ngc", kPart);
+    Arguments arguments{
+        "part.ngc", "--samples", "500", "--error", "10nm", "--device", "ecp5-25,up5k,gw2a-18,hx8k"};
+    const Json json = compare(arguments);
+    ASSERT_EQ(json["answers"].size(), 4U);
+    const auto parameters = [&](const Json& row, const Json& core) {
+        return row["order"] == core["Order"] && row["coef_bits"] == core["CoefBits"] &&
+               row["mode"] == core["Mode"];
+    };
+    for (const Json& answer : json["answers"]) {
+        std::size_t keep = 0;
+        for (const Json& row : json["rows"]) keep += row["bound"] <= 9.5 ? 1 : 0;
+        EXPECT_EQ(answer["keep"], keep);
+        EXPECT_GT(keep, 10U);
+        EXPECT_LT(keep, json["rows"].size()) << "some rows do not";
+        EXPECT_LE(answer["core"]["error_mm"], 10e-6);
+        const auto& core = answer["core"]["parameters"];
+        const auto row = std::find_if(json["rows"].begin(), json["rows"].end(),
+                                      [&](const Json& one) { return parameters(one, core); });
+        ASSERT_NE(row, json["rows"].end());
+        EXPECT_LE((*row)["bound"], 9.5);
+        EXPECT_EQ((*row)["limit"], 9.5);
+        EXPECT_EQ(answer["core"]["build"], "serial") << "the smallest";
+    }
+    EXPECT_FALSE(program_.exists("out/core.json")) << "of one device alone";
+    arguments.back() = "up5k";
+    arguments.insert(arguments.end(), {"-o", "one"});
+    arguments.insert(arguments.begin(), "compare");
+    const ProgramResult result = program_.run(arguments);
+    EXPECT_NE(result.out.find("\nup5k: take Order="), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(" configurations keep 10 nm, and this is the smallest\n"),
+              std::string::npos);
+    EXPECT_EQ(
+        program_.run({"plan", "part.ngc", "--core", "one/core.json", "-q", "-o", "plan"}).status,
+        0);
+    // Nothing is fine enough; nothing of the parallel build fits.
+    arguments = {"compare", "part.ngc", "--samples", "200",
+                 "-o",      "none",     "--set",     "CoefBits=18,20"};
+    EXPECT_NE(
+        program_.run(arguments).out.find("ecp5-85: 0 of 12 configurations keep 0.6 nm: take "),
+        std::string::npos);
+    arguments = {"compare", "part.ngc", "--samples", "200",      "-o",       "none",
+                 "--set",   "Order=8",  "--set",     "Mode=0",   "--set",    "CoefBits=36",
+                 "--error", "10nm",     "--build",   "parallel", "--device", "ecp5-25"};
+    EXPECT_NE(program_.run(arguments).out.find("and none of them fits: take a larger device\n"),
+              std::string::npos)
+        << program_.run(arguments).out;
+}
+
 TEST_F(Compare, WritesARowForEveryCombination) {
     program_.write("part.ngc", kPart);
     const Json json = compare({"part.ngc", "--set", "Order=4,6", "--set", "CoefBits=28:36:4",
@@ -248,7 +299,8 @@ TEST_F(Compare, PrintsATableLineForEveryRow) {
         {"compare", "-o", "out", "--curves", "arcs", "--set", "Order=6", "--samples", "500"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "") << "the bar is for terminals";
-    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 2 + 1);
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 2 + 1 + 2)
+        << "an empty line and the answer";
     EXPECT_NE(result.out.find("planned for "), std::string::npos);
 }
 

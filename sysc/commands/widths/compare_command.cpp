@@ -80,7 +80,18 @@ CompareOptions& complete(CompareChoice& asked) {
         if (compare.ticks.empty()) compare.ticks = kTicks("--tick", kStandardTick);
         if (compare.feeds.empty()) compare.feeds = kFeeds("--feed", kStandardFeeds);
     }
+    std::string& device = asked.part.core.said.device;
+    for (const std::string& name :
+         list_items("--device", device.empty() ? kComparedDevice : device)) {
+        compare.devices.push_back(device_of(name));
+    }
+    if (!device.empty()) device = compare.devices.front()->name;
     compare.common = asked.part.complete();
+    if (device.empty() && !compare.common.device.empty()) {  // that of --core
+        compare.devices = {device_of(compare.common.device)};
+    }
+    compare.builds = {Build::kParallel, Build::kSerial};
+    if (asked.part.core.build || compare.core_given) compare.builds = {compare.common.core.build};
     complete(compare);
     return compare;
 }
@@ -105,10 +116,13 @@ int compare_command(CompareChoice& asked) {
         fmt::print(stderr, "curvecore: interrupted: no configuration is finished\n");
         return 130;
     }
-    const CompareReport report{options, job.program, result};
+    const CompareReport report{options, job.program, result, answers(options, job.program, result)};
     folder.write("compare.json", report.json().dump(1) + "\n");
     folder.write("compare.csv", report.csv());
     folder.write("report.html", report.html());
+    if (report.answers.size() == 1 && report.answers.front().take) {
+        folder.write("core.json", report.answers.front().core(options).json().dump(2) + "\n");
+    }
     folder.commit();
     print_warnings(job);
     if (!options.common.quiet) {
@@ -118,6 +132,7 @@ int compare_command(CompareChoice& asked) {
             "{:.1f} s\nreport  {}/report.html\n",
             exact_length(options.common.unit_mm), result.samples, result.reference_segments,
             result.most_segments, result.seconds, options.common.folder);
+        fmt::print("\n{}", report.answer_text());
     }
     if (!report.held()) {
         fmt::print(stderr,
@@ -145,6 +160,10 @@ void add_compare(CLI::App& app, int& status) {
               kFeeds);
     add_surroundings(command, asked.part);
     add_core(command, asked.part.core);
+    command.get_option("--device")
+        ->type_name("LIST")
+        ->description(fmt::format("those that the answer is for: {}; default {}", device_names(),
+                                  kComparedDevice));
     begin_group(command, "Comparison");
     add_choice(command, "--curves", compare.curves, kCurveSets,
                "without FILE, built-in curves: {}");
