@@ -13,4 +13,7 @@ struct ShippedFiles {
 
 ShippedFiles shipped_files();
 
+/// Lets the files lie there: for a library, which is beside another program.
+void ship_from(const std::filesystem::path& folder);
+
 }  // namespace curvecore::sysc
