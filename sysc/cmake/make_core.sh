@@ -3,7 +3,7 @@
 # make_core.sh TREE DIR TOP SOURCE NAME=VALUE... : verilates TREE's TOP, motion_interpolator or
 # motion_board, with these parameters and compiles it with SOURCE to DIR/core.so, which curvecore
 # opens.  Environment: VERILATOR CXX CCACHE, as for verilate.sh; MICROCODE, the folder in which an
-# engine finds its programs.
+# engine finds its programs; RTL, the folder of the modules.
 set -eu
 tree=$1
 dir=$2
@@ -22,14 +22,14 @@ case " $parameters " in
     set -- "-GProgram=\"$MICROCODE/program.hex\"" "-GData=\"$MICROCODE/data.hex\""
     ;;
 esac
-search=$(find "$tree/rtl" -type d -printf '-y %p ')
-packages=$(find "$tree/rtl" -name '*_pkg.sv' | sort)
+search=$(find "$RTL" -type d -printf '-y %p ')
+packages=$(find "$RTL" -name '*_pkg.sv' | sort)
 CFLAGS="-fPIC"
 export CFLAGS
 # Waveforms stop above the multipliers; boards have none, and are made in half of the time.
 [ "$top" = motion_board ] || set -- "$@" --trace-fst --trace-depth 6
 "$tree/sysc/cmake/verilate.sh" "$dir" Vcore --top-module "$top" --prefix Vcore $parameters "$@" \
-  $search $packages "$tree/rtl/$top.sv"
+  $search $packages "$RTL/$top.sv"
 include=$("$VERILATOR" --getenv VERILATOR_ROOT)/include
 ${CCACHE:-} $CXX $CFLAGS -std=c++17 -w -O2 -c -o "$dir/core.o" $definitions \
   -DCFG_FUNCTION=curvecore_model \

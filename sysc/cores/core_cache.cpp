@@ -166,7 +166,10 @@ std::vector<std::string> all_parameters(const CachedModel& model) {
 
 }  // namespace
 
-CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "build/cores") {
+CoreCache::CoreCache(const std::string& rtl)
+    : sources_(shipped_files().folder),
+      rtl_(rtl.empty() ? sources_ / "rtl" : fs::absolute(rtl)),
+      cores_(sources_ / "build/cores") {
     if (shipped_files().installed) {
         const char* const cache = std::getenv("XDG_CACHE_HOME");
         const char* const home = std::getenv("HOME");
@@ -181,8 +184,9 @@ CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "bu
 
 std::string CoreCache::digest(const CachedModel& model, const CoreMicrocode& microcode) const {
     std::vector<fs::path> files;
-    for (const char* folder : {"rtl", "sysc/board", "sysc/cores", "sysc/virtual", "sysc/cmake"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(sources_ / folder)) {
+    for (const fs::path& folder : {rtl_, sources_ / "sysc/board", sources_ / "sysc/cores",
+                                   sources_ / "sysc/virtual", sources_ / "sysc/cmake"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const std::string kind = entry.path().extension();
             if (kind == ".sv" || kind == ".hpp" || kind == ".sh") files.push_back(entry.path());
         }
@@ -223,6 +227,7 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
                                      fmt::format("CXX={}", CURVECORE_CXX),
                                      fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
                                      fmt::format("MICROCODE={}", folder.string()),
+                                     fmt::format("RTL={}", rtl_.string()),
                                      sources_ / "sysc/cmake/make_core.sh",
                                      sources_,
                                      work / "model",
@@ -230,6 +235,10 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
                                      model.source};
     for (std::string& parameter : all_parameters(model)) command.push_back(std::move(parameter));
     if (run(command, log) != 0) {
+        if (rtl_ != sources_ / "rtl") {
+            throw UsageError(fmt::format("--rtl {}: {}; all of it: {}", rtl_.string(),
+                                         reason_in(log), log.string()));
+        }
         throw std::runtime_error(fmt::format("the {} could not be made: {}; see {}", model.kind,
                                              reason_in(log), log.string()));
     }

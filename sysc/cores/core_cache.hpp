@@ -29,11 +29,13 @@ class CoreCache {
     /// Finds the folders. Sources of cores are in share/curvecore beside the installed program's
     /// bin, otherwise in the source tree. Cores are kept in $CURVECORE_CORES, or
     /// $XDG_CACHE_HOME/curvecore if installed, otherwise in the source tree's build/cores.
-    CoreCache();
+    /// @param rtl folder of the RTL's sources; empty: rtl/ of those
+    explicit CoreCache(const std::string& rtl = "");
 
     /// Opens the core with these parameters, and builds it if it is not in the cache; waits for
     /// another run that builds it. Reports its work on stderr, unless quiet.
-    /// @throws UsageError without Verilator, std::runtime_error when it fails
+    /// @throws UsageError without Verilator, and when it refuses sources that are not its own;
+    /// std::runtime_error when it fails
     MakeBoard* open(const CoreParameters& parameters, bool quiet) const;
     /// Opens any module; returns its function curvecore_model.
     void* open(const CachedModel& model, bool quiet) const;
@@ -45,6 +47,7 @@ class CoreCache {
               const std::filesystem::path& folder, bool quiet) const;
 
     std::filesystem::path sources_;
+    std::filesystem::path rtl_;
     std::filesystem::path cores_;
 };
 

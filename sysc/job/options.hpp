@@ -59,6 +59,7 @@ struct Options {
 
     // Options of `run` alone
     BoardKind board = BoardKind::kRtl;
+    std::string rtl;  // folder of the core's sources; empty: those of the program
     SystemSettings system;
     std::optional<std::uint64_t> stall_seed;
     double override_percent = 100;

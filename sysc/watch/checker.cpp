@@ -86,10 +86,11 @@ void Checker::compare_with_kernel(const Sample& drawn) {
     }
     if (differing != 0 && result_.differing_words == 0) {
         result_.first_difference = fmt::format(
-            "sample {}, segment {}: board ds {} x {} y {} z {}, kernel ds {} x {} y {} z {} "
-            "(fine words)",
-            result_.samples, next_segment_ - 1, drawn.ds, drawn.fine[0], drawn.fine[1],
-            drawn.fine[2], source_.ds(), fine[0], fine[1], fine[2]);
+            "sample {}, segment {} of line {}: board ds {} x {} y {} z {}, kernel ds {} x {} y {} "
+            "z {} (fine words)",
+            result_.samples, next_segment_ - 1, job_.plan.segments[next_segment_ - 1].line,
+            drawn.ds, drawn.fine[0], drawn.fine[1], drawn.fine[2], source_.ds(), fine[0], fine[1],
+            fine[2]);
     }
     result_.differing_words += static_cast<std::uint64_t>(differing);
 }

@@ -104,6 +104,37 @@ TEST_F(MadeCore, OfTheEngineKeepsItsProgramsBesideIt) {
     EXPECT_TRUE(shell_.read("three/samples.csv") == shell_.read("one/samples.csv"));
 }
 
+/// A copy of the RTL is drawn as it stands; one with a sign changed is found out.
+TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
+    const auto draw = [&](const std::string& change, const std::string& options) {
+        return shell_.run({"-c", change +
+                                     "\n'" CURVECORE_PROGRAM "' run part.ngc --set Order=2 "
+                                     "--set CoefBits=18 --unit 1um " +
+                                     options});
+    };
+    const ProgramResult same = draw("cp -r " CURVES_DIR "/../../rtl fork", "-o same --rtl fork");
+    EXPECT_EQ(same.status, 0) << same.err;
+    EXPECT_EQ(count(same.err, "making the core parallel"), 1) << same.err;
+    EXPECT_EQ(Json::parse(shell_.read("same/report.json"))["rtl_equals_kernel"], 0);
+
+    const ProgramResult wrong =
+        draw("sed -i 's/{d_i, /{-d_i, /' fork/arithmetic/fine_scale.sv", "-o wrong --rtl fork");
+    EXPECT_EQ(wrong.status, 1) << wrong.err;
+    EXPECT_NE(wrong.err.find(" words differ; first: sample "), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find(" of line 2: board ds "), std::string::npos) << wrong.err;
+
+    const ProgramResult broken =
+        draw("echo module >fork/motion_interpolator.sv", "-o broken --rtl fork -q");
+    EXPECT_EQ(broken.status, 2);
+    EXPECT_EQ(broken.err.substr(0, 24), "curvecore: error: --rtl ") << broken.err;
+    EXPECT_NE(broken.err.find("motion_interpolator.sv:"), std::string::npos) << broken.err;
+    EXPECT_FALSE(shell_.exists("broken"));
+    EXPECT_EQ(draw("", "--rtl tools").err,
+              "curvecore: error: --rtl 'tools': there is no motion_interpolator.sv\n");
+    EXPECT_EQ(draw("", "--rtl fork --on kernel").err,
+              "curvecore: error: --rtl: with --on rtl or systemc-rtl\n");
+}
+
 TEST_F(MadeCore, WithoutVerilatorSaysWhatToInstall) {
     const ProgramResult result = run("PATH=/nowhere RUN out");
     EXPECT_EQ(result.status, 2);

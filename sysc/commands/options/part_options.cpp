@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/commands/options/part_options.hpp"
 
+#include <filesystem>
+
 #include "ref/curve/joint_path.hpp"
 #include "ref/machine/machine.hpp"
 #include "ref/program/program_reader.hpp"
@@ -11,6 +13,20 @@
 
 namespace curvecore::sysc {
 namespace {
+
+/// Reads the folder of a core's sources.
+std::string folder_of_rtl(const std::string& option, const std::string& text) {
+    std::error_code unknown;
+    const auto folder = std::filesystem::absolute(text, unknown).string();
+    if (folder.find_first_of(" \t\n") != std::string::npos) {
+        throw UsageError(
+            fmt::format("{} '{}': Verilator's make takes no folder with a blank", option, folder));
+    }
+    if (!std::filesystem::exists(folder + "/motion_interpolator.sv", unknown)) {
+        throw UsageError(fmt::format("{} '{}': there is no motion_interpolator.sv", option, text));
+    }
+    return folder;
+}
 
 constexpr double kArcTolerance = 1e-3;  // mm
 constexpr int kMostThreads = 64;
@@ -273,6 +289,9 @@ void add_drawing(CLI::App& command, PartOptions& part) {
     add_override(command, part);
     begin_group(command, group::kBoard);
     add_choice(command, "--on", options.board, kBoardNames, "board: {}")->type_name("BOARD");
+    add_value(command, "--rtl", options.rtl, "FOLDER",
+              "sources of the RTL, in place of the program's: a copy of rtl/ with changes of yours",
+              folder_of_rtl);
     command
         .add_option_function<std::vector<std::string>>(
             "--system",

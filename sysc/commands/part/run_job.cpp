@@ -37,8 +37,11 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
     return make_system_board(job, std::move(board), make_machine(job), pins);
 }
 
-/// Checks that the core has a path: that of the serial build has none.
+/// Checks that the core has a path: that of the serial build has none; and that there is RTL.
 void check_motion(const Options& options) {
+    if (!options.rtl.empty() && !options.needs_rtl()) {
+        throw UsageError("--rtl: with --on rtl or systemc-rtl");
+    }
     if (options.core.build != Build::kSerial || options.board == BoardKind::kKernel) return;
     throw UsageError(
         "--build serial: a curve core alone, which no motion has inside: take --build engine, or "
@@ -53,7 +56,7 @@ Runner::Runner(Options options) {
     JobStream stream(options);
     CoreParameters& core = stream.options().core;
     const CompiledCore* const built_in =
-        options.needs_rtl() ? find_core(stream.options()) : nullptr;
+        options.needs_rtl() && options.rtl.empty() ? find_core(stream.options()) : nullptr;
     if (built_in != nullptr) {
         const int form = core.multiplier_form;
         core = built_in->parameters;
@@ -63,7 +66,7 @@ Runner::Runner(Options options) {
     job_ = plan_and_check(stream);
     add_other_forms(job_);
     if (options.needs_rtl() && built_in == nullptr) {
-        make_ = CoreCache().open(job_.options.core, options.quiet);
+        make_ = CoreCache(options.rtl).open(job_.options.core, options.quiet);
     }
 }
 
