@@ -67,6 +67,7 @@ struct Options {
     std::uint64_t trace_clocks = 20000;
     std::uint64_t most_rows = 4000000;  // greatest number of rows of samples.csv
     bool segments_file = true;          // `run` and `plan` write segments.json
+    bool junit = false;                 // .. and junit.xml
 
     bool in_system() const {
         return board == BoardKind::kSystemc || board == BoardKind::kSystemcRtl;

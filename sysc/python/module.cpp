@@ -5,6 +5,7 @@
 
 #include "hls/words.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/board/feeder.hpp"
 #include "sysc/cli/shipped_files.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/python/arrays.hpp"
@@ -29,6 +30,19 @@ nb::dict parameters(const PlannedPart& part) {
     for (const ref::Parameter& parameter : ref::kParameters) {
         values[parameter.name] = part.job().options.core.*parameter.value;
     }
+    return values;
+}
+
+/// Inputs of rtl/motion_interpolator.sv, by their names without _i.
+nb::dict settings(const PlannedPart& part) {
+    const BoardSettings made = board_settings(part.job());
+    nb::dict values;
+    values["digest"] = made.digest;
+    values["samples_per_tick_log2"] = made.samples_per_tick_log2;
+    values["override"] = made.override_word;
+    values["hold_acceleration"] = made.hold_acceleration;
+    values["hold_slope"] = made.hold_slope;
+    values["stop_ticks"] = made.stop_ticks;
     return values;
 }
 
@@ -87,6 +101,7 @@ NB_MODULE(_native, module) {
              nb::call_guard<nb::gil_scoped_release>())
         .def_prop_ro("axes", &PlannedPart::axes)
         .def_prop_ro("parameters", parameters)
+        .def_prop_ro("settings", settings)
         .def_prop_ro("unit_mm", [](const PlannedPart& part) { return part.job().plan.unit_mm; })
         .def_prop_ro("sample_period_s",
                      [](const PlannedPart& part) { return part.job().options.sample_period_s; })

@@ -282,6 +282,8 @@ void add_report(CLI::App& command, PartOptions& part) {
             "--no-segments", [&part] { part.options.segments_file = false; },
             "segments.json is not written: it has a kilobyte of every segment")
         ->group(group::kRare);
+    command.add_flag("--junit", part.options.junit, "junit.xml: each check a test case, for CI")
+        ->group(group::kRare);
 }
 
 void add_drawing(CLI::App& command, PartOptions& part) {

@@ -2,6 +2,7 @@
 #include "sysc/commands/part/publish.hpp"
 
 #include "sysc/commands/terminal/summary.hpp"
+#include "sysc/report/junit_xml.hpp"
 #include "sysc/report/report_html.hpp"
 #include "sysc/report/segments_json.hpp"
 
@@ -15,6 +16,7 @@ int publish(const Report& report, const Pictures& pictures, OutputFolder& folder
     }
     folder.write("report.json", report.json().dump(2) + "\n");
     folder.write("report.html", report_html(report, pictures));
+    if (report.job.options.junit) folder.write("junit.xml", junit_xml(report));
     folder.commit();
     print_summary(report);
     return report.held() ? 0 : 1;

@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 17> kOwnFiles{
+constexpr std::array<const char*, 18> kOwnFiles{
     "samples.csv",  "report.json", "report.html", "segments.json", "waves.fst",   "waves.gtkw",
     "segments.hex", "profile.hex", "words.json",  "compare.json",  "compare.csv", "choose.json",
-    "core.json",    "cam.ngc",     "cam.json",    "cam.html",      "INCOMPLETE"};
+    "core.json",    "junit.xml",   "cam.ngc",     "cam.json",      "cam.html",    "INCOMPLETE"};
 
 }  // namespace
 

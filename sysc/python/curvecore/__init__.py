@@ -89,6 +89,7 @@ class Plan:
 
     axes             X Y Z and the auxiliary ones
     parameters       {name: value} of the core that it is planned for
+    settings         {name: value} of inputs of motion_interpolator, without their _i
     unit_mm          the length unit, mm
     sample_period_s  s
     duration_s       of the motion, s
