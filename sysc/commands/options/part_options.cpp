@@ -17,7 +17,7 @@ namespace {
 /// Reads the folder of a core's sources.
 std::string folder_of_rtl(const std::string& option, const std::string& text) {
     std::error_code unknown;
-    const auto folder = std::filesystem::absolute(text, unknown).string();
+    std::string folder = std::filesystem::absolute(text, unknown).string();
     if (folder.find_first_of(" \t\n") != std::string::npos) {
         throw UsageError(
             fmt::format("{} '{}': Verilator's make takes no folder with a blank", option, folder));
