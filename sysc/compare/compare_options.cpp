@@ -107,6 +107,9 @@ void complete(CompareOptions& options) {
     }
     options.sweep.unit_mm = common.unit_mm;
     options.sweep.limit = common.error_limit;
+    if (options.devices.empty()) {
+        options.devices = {device_of(common.device.empty() ? kComparedDevice : common.device)};
+    }
     options.sweep.device = options.devices.front();
     options.sweep.quiet = common.quiet;
 }

@@ -19,7 +19,7 @@ struct CompareOptions {
     std::vector<double> ticks;    // s
     std::vector<double> feeds;    // mm/s
     std::vector<CoreParameters> settings;
-    std::vector<const Device*> devices;  // that are asked about, at least one
+    std::vector<const Device*> devices;  // that are asked about; empty: one, by `common`
     std::vector<Build> builds;           // .. and the builds that may be the answer
     std::vector<CoreParameters> drawn;   // configurations that our segments and steps draw
     SweepOptions sweep;

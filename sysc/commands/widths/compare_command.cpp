@@ -81,15 +81,13 @@ CompareOptions& complete(CompareChoice& asked) {
         if (compare.feeds.empty()) compare.feeds = kFeeds("--feed", kStandardFeeds);
     }
     std::string& device = asked.part.core.said.device;
-    for (const std::string& name :
-         list_items("--device", device.empty() ? kComparedDevice : device)) {
-        compare.devices.push_back(device_of(name));
+    if (!device.empty()) {
+        for (const std::string& name : list_items("--device", device)) {
+            compare.devices.push_back(device_of(name));
+        }
+        device = compare.devices.front()->name;
     }
-    if (!device.empty()) device = compare.devices.front()->name;
     compare.common = asked.part.complete();
-    if (device.empty() && !compare.common.device.empty()) {  // that of --core
-        compare.devices = {device_of(compare.common.device)};
-    }
     compare.builds = {Build::kParallel, Build::kSerial};
     if (asked.part.core.build || compare.core_given) compare.builds = {compare.common.core.build};
     complete(compare);
