@@ -18,6 +18,7 @@ class ArchimedeanCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -25,6 +26,7 @@ class ArchimedeanCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -49,20 +51,20 @@ class ArchimedeanCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
         }
         // p : -6 = p + sum(p)
-        p_[0] = Coef(p_[0] + sum(p_, C::kOrder));
+        p_[0] = Coef(Product(p_[0]) + sum(p_, C::kOrder));
         // w : -2 = w + sum(w)
-        w_[0] = Coef(w_[0] + sum(w_, C::kOrder));
-        Steps::move_origin(move);
+        w_[0] = Coef(Product(w_[0]) + sum(w_, C::kOrder));
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -79,55 +81,55 @@ class ArchimedeanCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef Dp[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef Dw[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef kappa[C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
-        Coef pw4[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        Coef u[C::kMostOrder + 1] = {};               // CoefBits -2 fraction bits: +-2
-        Coef w2[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef w3[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef Dp_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef Dw_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef pw4_[C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+        Coef u_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+        Coef w2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef w3_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
         // w2 : -2 = w*w
-        w2[0] = rounded(times(w_[0], w_[0]), C::kCoefBits - 2);
+        w2_[0] = rounded(times(w_[0], w_[0]), C::kCoefBits - 2);
         // w3 : -2 = w2*w
-        w3[0] = rounded(times(w2[0], w_[0]), C::kCoefBits - 2);
+        w3_[0] = rounded(times(w2_[0], w_[0]), C::kCoefBits - 2);
         // u : -2 = w2*w2
-        u[0] = rounded(times(w2[0], w2[0]), C::kCoefBits - 2);
+        u_[0] = rounded(times(w2_[0], w2_[0]), C::kCoefBits - 2);
         // pw4 : -2 = p*u
-        pw4[0] = rounded(times(p_[0], u[0]), C::kCoefBits - 6);
+        pw4_[0] = rounded(times(p_[0], u_[0]), C::kCoefBits - 6);
         // kappa : 0 = b*w + b*w3
-        kappa[0] = rounded(times(b_, w_[0]) + times(b_, w3[0]), C::kCoefBits - 2);
+        kappa_[0] = rounded(times(b_, w_[0]) + times(b_, w3_[0]), C::kCoefBits - 2);
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dp : -2 = b*w'
-            Dp[i] = rounded(times(b_, w_[i - 1]), C::kCoefBits);
+            Dp_[i] = rounded(times(b_, w_[i - 1]), C::kCoefBits);
             // Dw : -2 = - b*pw4'
-            Dw[i] = rounded(-times(b_, pw4[i - 1]), C::kCoefBits);
+            Dw_[i] = rounded(-times(b_, pw4_[i - 1]), C::kCoefBits);
             // p : -6 = Dp/i
-            p_[i] = rounded(over(Dp[i], i), C::kCoefBits + 3);
+            p_[i] = rounded(over(Dp_[i], i), C::kCoefBits + 3);
             // w : -2 = Dw/i
-            w_[i] = rounded(over(Dw[i], i), C::kCoefBits - 1);
+            w_[i] = rounded(over(Dw_[i], i), C::kCoefBits - 1);
             // w2 : -2 = w*w
-            w2[i] = rounded(series_times(w_, w_, i), C::kCoefBits - 2);
+            w2_[i] = rounded(series_times(w_, w_, i), C::kCoefBits - 2);
             // w3 : -2 = w2*w
-            w3[i] = rounded(series_times(w2, w_, i), C::kCoefBits - 2);
+            w3_[i] = rounded(series_times(w2_, w_, i), C::kCoefBits - 2);
             if (i <= C::kOrder - 1) {
                 // u : -2 = w2*w2
-                u[i] = rounded(series_times(w2, w2, i), C::kCoefBits - 2);
+                u_[i] = rounded(series_times(w2_, w2_, i), C::kCoefBits - 2);
                 // pw4 : -2 = p*u
-                pw4[i] = rounded(series_times(p_, u, i), C::kCoefBits - 6);
+                pw4_[i] = rounded(series_times(p_, u_, i), C::kCoefBits - 6);
             }
             // kappa : 0 = b*w + b*w3
-            kappa[i] = rounded(times(b_, w_[i]) + times(b_, w3[i]), C::kCoefBits - 2);
+            kappa_[i] = rounded(times(b_, w_[i]) + times(b_, w3_[i]), C::kCoefBits - 2);
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa*N[k]'
-                DT[axis][i] = rounded(series_times(kappa, N_[axis], i - 1), C::kCoefBits);
+                DT_[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
                 // DN[k] : -2 = - kappa*T[k]'
-                DN[axis][i] = rounded(-series_times(kappa, T_[axis], i - 1), C::kCoefBits);
+                DN_[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
                 // x[k] : -2 = T[k]'/i
                 x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }

@@ -19,6 +19,7 @@ class CatenaryCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -26,6 +27,7 @@ class CatenaryCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -50,20 +52,20 @@ class CatenaryCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
         }
         // c : -2 = c + sum(c)
-        c_[0] = Coef(c_[0] + sum(c_, C::kOrder));
+        c_[0] = Coef(Product(c_[0]) + sum(c_, C::kOrder));
         // e : -2 = e + sum(e)
-        e_[0] = Coef(e_[0] + sum(e_, C::kOrder));
-        Steps::move_origin(move);
+        e_[0] = Coef(Product(e_[0]) + sum(e_, C::kOrder));
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -80,38 +82,38 @@ class CatenaryCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef Dc[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef De[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef c2[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef kappa[C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
+        Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef Dc_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef De_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef c2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
         // c2 : -2 = c*c
-        c2[0] = rounded(times(c_[0], c_[0]), C::kCoefBits - 2);
+        c2_[0] = rounded(times(c_[0], c_[0]), C::kCoefBits - 2);
         // kappa : 0 = b*c2
-        kappa[0] = rounded(times(b_, c2[0]), C::kCoefBits - 2);
+        kappa_[0] = rounded(times(b_, c2_[0]), C::kCoefBits - 2);
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dc : -2 = - kappa*e'
-            Dc[i] = rounded(-series_times(kappa, e_, i - 1), C::kCoefBits);
+            Dc_[i] = rounded(-series_times(kappa_, e_, i - 1), C::kCoefBits);
             // De : -2 = kappa*c'
-            De[i] = rounded(series_times(kappa, c_, i - 1), C::kCoefBits);
+            De_[i] = rounded(series_times(kappa_, c_, i - 1), C::kCoefBits);
             // c : -2 = Dc/i
-            c_[i] = rounded(over(Dc[i], i), C::kCoefBits - 1);
+            c_[i] = rounded(over(Dc_[i], i), C::kCoefBits - 1);
             // e : -2 = De/i
-            e_[i] = rounded(over(De[i], i), C::kCoefBits - 1);
+            e_[i] = rounded(over(De_[i], i), C::kCoefBits - 1);
             // c2 : -2 = c*c
-            c2[i] = rounded(series_times(c_, c_, i), C::kCoefBits - 2);
+            c2_[i] = rounded(series_times(c_, c_, i), C::kCoefBits - 2);
             // kappa : 0 = b*c2
-            kappa[i] = rounded(times(b_, c2[i]), C::kCoefBits - 2);
+            kappa_[i] = rounded(times(b_, c2_[i]), C::kCoefBits - 2);
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa*N[k]'
-                DT[axis][i] = rounded(series_times(kappa, N_[axis], i - 1), C::kCoefBits);
+                DT_[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
                 // DN[k] : -2 = - kappa*T[k]'
-                DN[axis][i] = rounded(-series_times(kappa, T_[axis], i - 1), C::kCoefBits);
+                DN_[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
                 // x[k] : -2 = T[k]'/i
                 x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }

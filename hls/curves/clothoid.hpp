@@ -19,6 +19,7 @@ class ClothoidCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -26,6 +27,7 @@ class ClothoidCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -49,18 +51,18 @@ class ClothoidCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
             // kappa[k] : +1 = kappa[k].0 + sigma
-            kappa_[axis] = Coef(kappa_[axis] + sigma_);
+            kappa_[axis] = Coef(Product(kappa_[axis]) + Product(sigma_));
         }
-        Steps::move_origin(move);
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -77,28 +79,28 @@ class ClothoidCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef minus_kappa[3] = {};                     // CoefBits +1 fraction bits: +-0.25
-        Coef minus_sigma = 0;                         // CoefBits +1 fraction bits: +-0.25
+        Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef minus_kappa_[3] = {};                    // CoefBits +1 fraction bits: +-0.25
+        Coef minus_sigma_ = 0;                        // CoefBits +1 fraction bits: +-0.25
         for (int axis = 0; axis < 3; ++axis) {
             // minus_kappa[k] : +1 = - kappa[k].0
-            minus_kappa[axis] = Coef(-kappa_[axis]);
+            minus_kappa_[axis] = Coef(-Product(kappa_[axis]));
         }
         // minus_sigma : +1 = - sigma
-        minus_sigma = Coef(-sigma_);
+        minus_sigma_ = Coef(-Product(sigma_));
         for (int i = 1; i <= C::kOrder; ++i) {
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa[k].0*N[k]' + sigma*N[k]''
-                DT[axis][i] = rounded(times(kappa_[axis], N_[axis][i - 1]) +
+                DT_[axis][i] = rounded(times(kappa_[axis], N_[axis][i - 1]) +
                     times(sigma_, before(N_[axis], i - 2)), C::kCoefBits + 1);
                 // DN[k] : -2 = minus_kappa[k]*T[k]' + minus_sigma*T[k]''
-                DN[axis][i] = rounded(times(minus_kappa[axis], T_[axis][i - 1]) +
-                    times(minus_sigma, before(T_[axis], i - 2)), C::kCoefBits + 1);
+                DN_[axis][i] = rounded(times(minus_kappa_[axis], T_[axis][i - 1]) +
+                    times(minus_sigma_, before(T_[axis], i - 2)), C::kCoefBits + 1);
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
                 // x[k] : -2 = T[k]'/i
                 x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }

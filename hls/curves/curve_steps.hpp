@@ -64,13 +64,19 @@ class CurveSteps : protected C {
     }
 
     /// The one rounding of a line.
-    static Coef rounded(const Product& sum, int shift) { return Coef(round_shift(sum, shift)); }
-    /// The same of a line with `>>`, whose bits hold the sum with `lift` bits more.
-    template <int Bits>
-    static Coef scaled_down(const Word<Bits>& sum, int lift, int shift) {
-        return Coef(round_shift(Word<Bits>(sum * (Word<Bits>(1) << lift)), shift));
+    template <class Sum>
+    static Coef rounded(const Sum& sum, int shift) {
+        return Coef(round_shift(Product(sum), shift));
     }
-    static Product lifted(const Product& sum, int by) { return Product(sum * (Product(1) << by)); }
+    /// The same of a line with `>>`, whose bits hold the sum with `lift` bits more.
+    template <int Bits, class Sum>
+    static Coef scaled_down(const Sum& sum, int lift, int shift) {
+        return Coef(round_shift(Word<Bits>(Word<Bits>(sum) * (Word<Bits>(1) << lift)), shift));
+    }
+    template <class Term>
+    static Product lifted(const Term& term, int by) {
+        return Product(Product(term) * (Product(1) << by));
+    }
 
     static Product times(const Coef& a, const Coef& b) { return Product(Product(a) * Product(b)); }
     /// a/i, with CoefBits - 1 fraction bits more; exact where i is 1.
@@ -78,6 +84,10 @@ class CurveSteps : protected C {
         return Product(Product(a) * Product(reciprocal(i, C::kUnitFrac)));
     }
     static Coef before(const Coef* row, int i) { return i < 0 ? Coef(0) : row[i]; }
+    /// An order that is named; 0 above Order.
+    Coef named(const Coef* row, int order) const {
+        return order <= C::kOrder ? row[order] : Coef(0);
+    }
     /// Order n of a product of two series.
     static Product series_times(const Coef* a, const Coef* b, int n) {
         return convolved(a, b, n, n);

@@ -19,6 +19,7 @@ class EllipseCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -26,6 +27,7 @@ class EllipseCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -51,18 +53,18 @@ class EllipseCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
         }
         // c : -2 = c + sum(c)
-        c_[0] = Coef(c_[0] + sum(c_, C::kOrder));
+        c_[0] = Coef(Product(c_[0]) + sum(c_, C::kOrder));
         // e : -2 = e + sum(e)
-        e_[0] = Coef(e_[0] + sum(e_, C::kOrder));
+        e_[0] = Coef(Product(e_[0]) + sum(e_, C::kOrder));
         // u : -3 = u + sum(u)
-        u_[0] = Coef(u_[0] + sum(u_, C::kOrder));
-        Steps::move_origin(move);
+        u_[0] = Coef(Product(u_[0]) + sum(u_, C::kOrder));
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -79,69 +81,70 @@ class EllipseCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DG[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef DV[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef Dc[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef De[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef Dp[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef Du[C::kMostOrder + 1] = {};              // CoefBits -4 fraction bits: +-8
-        Coef Q[C::kMostOrder + 1] = {};               // CoefBits -7 fraction bits: +-64
-        Coef S[C::kMostOrder + 1] = {};               // CoefBits -5 fraction bits: +-16
-        Coef T[3][C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
-        Coef V[3][C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+        Coef DG_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef DV_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef Dc_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef De_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef Dp_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef Du_[C::kMostOrder + 1] = {};             // CoefBits -4 fraction bits: +-8
+        Coef Q_[C::kMostOrder + 1] = {};              // CoefBits -7 fraction bits: +-64
+        Coef S_[C::kMostOrder + 1] = {};              // CoefBits -5 fraction bits: +-16
+        Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef V_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // V[k] : -2 = b[k]*c - a[k]*e
-            V[axis][0] = rounded(times(b_[axis], c_[0]) - times(a_[axis], e_[0]), C::kCoefBits - 2);
+            V_[axis][0] = rounded(times(b_[axis], c_[0]) - times(a_[axis], e_[0]), C::kCoefBits -
+                2);
         }
         // S : -5 = u*u
-        S[0] = rounded(times(u_[0], u_[0]), C::kCoefBits - 1);
+        S_[0] = rounded(times(u_[0], u_[0]), C::kCoefBits - 1);
         // Q : -7 = - S*u
-        Q[0] = rounded(-times(S[0], u_[0]), C::kCoefBits - 1);
+        Q_[0] = rounded(-times(S_[0], u_[0]), C::kCoefBits - 1);
         for (int axis = 0; axis < 3; ++axis) {
             // T[k] : -2 = V[k]*u
-            T[axis][0] = rounded(times(V[axis][0], u_[0]), C::kCoefBits - 3);
+            T_[axis][0] = rounded(times(V_[axis][0], u_[0]), C::kCoefBits - 3);
         }
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dp : -2 = mu*u'
-            Dp[i] = rounded(times(mu_, u_[i - 1]), C::kCoefBits);
+            Dp_[i] = rounded(times(mu_, u_[i - 1]), C::kCoefBits);
             // Dc : -2 = - e*Dp
-            Dc[i] = rounded(-stieltjes(e_, Dp, i), C::kCoefBits - 2);
+            Dc_[i] = rounded(-stieltjes(e_, Dp_, i), C::kCoefBits - 2);
             // De : -2 = c*Dp
-            De[i] = rounded(stieltjes(c_, Dp, i), C::kCoefBits - 2);
+            De_[i] = rounded(stieltjes(c_, Dp_, i), C::kCoefBits - 2);
             for (int axis = 0; axis < 3; ++axis) {
                 // DV[k] : -2 = b[k]*Dc - a[k]*De
-                DV[axis][i] = rounded(times(b_[axis], Dc[i]) -
-                    times(a_[axis], De[i]), C::kCoefBits - 2);
+                DV_[axis][i] = rounded(times(b_[axis], Dc_[i]) -
+                    times(a_[axis], De_[i]), C::kCoefBits - 2);
             }
             // DG : -2 += V[k]*DV[k]
-            DG[i] = Coef(rounded(stieltjes(V[0], DV[0], i), C::kCoefBits - 2) +
-                rounded(stieltjes(V[1], DV[1], i), C::kCoefBits - 2) +
-                rounded(stieltjes(V[2], DV[2], i), C::kCoefBits - 2));
+            DG_[i] = Coef(rounded(stieltjes(V_[0], DV_[0], i), C::kCoefBits - 2) +
+                rounded(stieltjes(V_[1], DV_[1], i), C::kCoefBits - 2) +
+                rounded(stieltjes(V_[2], DV_[2], i), C::kCoefBits - 2));
             // Du : -4 = Q*DG
-            Du[i] = rounded(stieltjes(Q, DG, i), C::kCoefBits - 5);
+            Du_[i] = rounded(stieltjes(Q_, DG_, i), C::kCoefBits - 5);
             // c : -2 = Dc/i
-            c_[i] = rounded(over(Dc[i], i), C::kCoefBits - 1);
+            c_[i] = rounded(over(Dc_[i], i), C::kCoefBits - 1);
             // e : -2 = De/i
-            e_[i] = rounded(over(De[i], i), C::kCoefBits - 1);
+            e_[i] = rounded(over(De_[i], i), C::kCoefBits - 1);
             // u : -3 = Du/i
-            u_[i] = rounded(over(Du[i], i), C::kCoefBits - 2);
+            u_[i] = rounded(over(Du_[i], i), C::kCoefBits - 2);
             if (i <= C::kOrder - 1) {
                 for (int axis = 0; axis < 3; ++axis) {
                     // V[k] : -2 = DV[k]/i
-                    V[axis][i] = rounded(over(DV[axis][i], i), C::kCoefBits - 1);
+                    V_[axis][i] = rounded(over(DV_[axis][i], i), C::kCoefBits - 1);
                 }
                 // S : -5 = u*u
-                S[i] = rounded(series_times(u_, u_, i), C::kCoefBits - 1);
+                S_[i] = rounded(series_times(u_, u_, i), C::kCoefBits - 1);
                 // Q : -7 = - S*u
-                Q[i] = rounded(-series_times(S, u_, i), C::kCoefBits - 1);
+                Q_[i] = rounded(-series_times(S_, u_, i), C::kCoefBits - 1);
                 for (int axis = 0; axis < 3; ++axis) {
                     // T[k] : -2 = V[k]*u
-                    T[axis][i] = rounded(series_times(V[axis], u_, i), C::kCoefBits - 3);
+                    T_[axis][i] = rounded(series_times(V_[axis], u_, i), C::kCoefBits - 3);
                 }
             }
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k] : -2 = T[k]'/i
-                x_[axis][i] = rounded(over(T[axis][i - 1], i), C::kCoefBits - 1);
+                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }
         }
     }

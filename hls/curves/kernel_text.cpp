@@ -40,6 +40,7 @@ class {name} : private CurveSteps<C> {{
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -47,6 +48,7 @@ class {name} : private CurveSteps<C> {{
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -97,9 +99,9 @@ class Writer {
     std::string text() {
         std::string step = section("next", 2);
         std::string expand = section("anchor", 2);
-        if (table_.rows.count("place") != 0) expand += "        Steps::place_origin(place);\n";
+        if (table_.rows.count("place") != 0) expand += "        Steps::place_origin(place_);\n";
         expand += orders();
-        if (table_.rows.count("move") != 0) step += "        Steps::move_origin(move);\n";
+        if (table_.rows.count("move") != 0) step += "        Steps::move_origin(move_);\n";
         return head() +
                fmt::format(
                    kClass, fmt::arg("title", table_.title), fmt::arg("name", kernel_class(table_)),
@@ -113,14 +115,21 @@ class Writer {
     std::string head() const {
         std::string remarks;
         for (const std::string& line : lines_) {
-            if (line.rfind("curve ", 0) == 0) break;
-            if (line.rfind("# SPDX", 0) != 0) remarks += line.substr(1);
+            const std::size_t first = line.find_first_not_of(" \t");
+            if (first == std::string::npos) continue;
+            if (line[first] != '#') break;
+            if (line.rfind("# SPDX", 0) != 0) remarks += line.substr(first + 1) + "\n";
         }
         return "// SPDX-License-Identifier: Apache-2.0\n" + remark_lines(remarks) +
                fmt::format(
                    "// Made by `curvecore curve kernel {}`: each line stands above its "
                    "statement.\n",
                    table_.file.substr(table_.file.rfind('/') + 1));
+    }
+
+    /// A remark's line without the \ at its end that would join the next line to it.
+    static std::string without_splice(const std::string& line) {
+        return line.substr(0, line.find_last_not_of("\\ \t") + 1);
     }
 
     /// Remarks of the table in lines of at most 100 columns.
@@ -130,12 +139,12 @@ class Writer {
         std::istringstream words(remarks);
         for (std::string word; words >> word;) {
             if (line.size() + 1 + word.size() > kColumns) {
-                text += line + "\n";
+                text += without_splice(line) + "\n";
                 line = "//";
             }
             line += " " + word;
         }
-        return line == "//" ? text : text + line + "\n";
+        return line == "//" ? text : text + without_splice(line) + "\n";
     }
 
     // --- declarations
@@ -203,10 +212,14 @@ class Writer {
     }
 
     std::string of_sample() {
+        const ref::RowOperand output = ref::same_row(table_, {table_.output, true, 0, {}});
+        if (output.primes != 0) {
+            ref::Place{table_.file, std::max(table_.rows.at(table_.output).line, 1)}.refuse(
+                table_.output + ": a kernel of C++ draws the orders of a row as they are");
+        }
         const auto by_series = [&](int depth) {
             return pad(depth) + "for (int axis = 0; axis < 3; ++axis) {\n" + pad(depth + 1) +
-                   fmt::format("d[axis] = Steps::in_tau({}[axis], tau);\n",
-                               names_.of(table_.output)) +
+                   fmt::format("d[axis] = Steps::in_tau({}[axis], tau);\n", names_.of(output.row)) +
                    pad(depth) + "}\n";
         };
         if (table_.section("sample").empty()) return by_series(2);
@@ -237,11 +250,13 @@ class Writer {
         std::string condition;
         bool axes = false;
         std::set<std::string> made;  // in the loop over the axes
+        std::set<std::string> read;  // there, of all axes
         const auto close = [&](bool also_condition) {
             const int in = depth + (condition.empty() ? 0 : 1);
             if (axes) text += pad(in) + "}\n";
             axes = false;
             made.clear();
+            read.clear();
             if (also_condition && !condition.empty()) {
                 text += pad(depth) + "}\n";
                 condition.clear();
@@ -256,23 +271,46 @@ class Writer {
                 if (!when.empty()) text += pad(depth) + "if (" + when + ") {\n";
                 condition = when;
             }
-            const bool across =
-                std::any_of(line.terms.begin(), line.terms.end(), [&](const TableTerm& term) {
-                    return term.all_axes && (made.count(term.a.row) + made.count(term.b.row)) > 0;
-                });
+            const std::set<std::string> all = rows_of_all_axes(line);
+            const bool across = read.count(line.row) > 0 ||
+                                std::any_of(all.begin(), all.end(), [&](const std::string& row) {
+                                    return made.count(row) > 0;
+                                });
             if (axes && (!line.of_axis || across)) close(false);
             if (line.of_axis && !axes) {
                 text += pad(depth + (condition.empty() ? 0 : 1)) +
                         "for (int axis = 0; axis < 3; ++axis) {\n";
                 axes = true;
             }
+            if (line.of_axis && section != "order" && all.count(line.row) > 0) {
+                ref::Place{table_.file, line.number}.refuse(
+                    "a kernel of C++ makes " + line.row +
+                    "[k] axis by axis: what it takes of all axes is made in a row of its own");
+            }
+            if (section == "sample" && names_.member(line.row)) {
+                ref::Place{table_.file, line.number}.refuse(
+                    "a kernel of C++ makes what `sample` makes there alone: " + line.row +
+                    " is made or read elsewhere, too");
+            }
             made.insert(line.row);
+            read.insert(all.begin(), all.end());
             const int in = depth + (condition.empty() ? 0 : 1) + (axes ? 1 : 0);
             text += pad(in) + "// " + remark(line) + "\n";
             text += wrapped(pad(in) + line_.statement(line, section == "order"), in);
         }
         close(true);
         return text;
+    }
+    /// Rows that a line reads as [*].
+    std::set<std::string> rows_of_all_axes(const TableLine& line) const {
+        std::set<std::string> rows;
+        for (const TableTerm& term : line.terms) {
+            if (!term.all_axes) continue;
+            for (const ref::RowOperand* of : {&term.a, &term.b}) {
+                if (of->of_axis) rows.insert(ref::same_row(table_, *of).row);
+            }
+        }
+        return rows;
     }
     static std::string pad(int depth) {
         return std::string(4 * static_cast<std::size_t>(depth), ' ');
@@ -283,7 +321,7 @@ class Writer {
         const auto n = static_cast<std::size_t>(line.number);
         const std::string text = n >= 1 && n <= lines_.size() ? lines_[n - 1] : line.text;
         const std::size_t first = text.find_first_not_of(' ');
-        return first == std::string::npos ? line.text : text.substr(first);
+        return without_splice(first == std::string::npos ? line.text : text.substr(first));
     }
 
     std::string condition_of(const TableLine& line) const {

@@ -64,6 +64,7 @@ std::string LineText::value(const TableLine& line, bool order, const std::string
         all.text = fmt::format("sum({}, {})", series(line.series, line, axis),
                                limits_.last(line.series.row));
         all.fraction = table_.rows.at(line.series.row).fraction;
+        all.wide = true;
         parts.push_back(all);
     }
     return rounded(parts, line);
@@ -85,8 +86,11 @@ std::string LineText::polynomial(const TableLine& line, const std::string& axis)
     }
     const std::string row = series(line.series, line, axis);
     if (line.function == Function::kHorner) return fmt::format("Steps::in_tau({}, tau)", row);
-    return fmt::format("{}({}, {}, {})", line.function == Function::kOdd ? "odd" : "even", row,
-                       names_.of(line.variable), coef_bits(table_.rows.at(line.variable).fraction));
+    const RowOperand x = ref::same_row(table_, {line.variable, false, 0, {}});
+    if (x.primes != 0) refuse(line, "takes order 0 of a variable");
+    return fmt::format("{}({}, {}{}, {})", line.function == Function::kOdd ? "odd" : "even", row,
+                       names_.of(x.row), names_.array(x.row) ? "[0]" : "",
+                       coef_bits(table_.rows.at(x.row).fraction));
 }
 
 /// An order of a row: i less its primes in `order`, else the one that is named; empty for 0.
@@ -94,14 +98,19 @@ std::string LineText::entry(const RowOperand& operand, bool order, const std::st
     const RowOperand of = ref::same_row(table_, operand);
     const std::string word =
         names_.of(of.row) + (table_.rows.at(of.row).of_axis ? "[" + axis + "]" : "");
-    if (!names_.array(of.row)) return word;
-    if (order && !of.order) {
+    const bool by_order = order && !of.order;
+    const int at = of.order.value_or(0) - of.primes;
+    if (!names_.array(of.row)) {
+        return table_.rows.at(of.row).series && !by_order && at < 0 ? "" : word;
+    }
+    if (by_order) {
         if (of.primes == 0) return word + "[i]";
         if (of.primes == 1) return word + "[i - 1]";
         return fmt::format("before({}, i - {})", word, of.primes);
     }
-    const int at = of.order.value_or(0) - of.primes;
-    return at < 0 ? "" : fmt::format("{}[{}]", word, at);
+    if (at < 0) return "";
+    const bool always = at <= ref::parameter_of(&ref::CoreParameters::order).low;
+    return fmt::format(always ? "{}[{}]" : "named({}, {})", word, at);
 }
 
 /// A term; without text where it is 0.
@@ -121,7 +130,7 @@ LineText::Part LineText::part(const TableTerm& term, bool order, const std::stri
         made.text = a;
         return made;
     }
-    made.product = true;
+    made.product = made.wide = true;
     if (term.meeting == Meeting::kOverOrder) {
         made.text = a.empty() ? "" : fmt::format("over({}, i)", a);
         made.fraction -= 1;
@@ -152,7 +161,8 @@ std::string LineText::meeting(const TableTerm& term, const std::string& axis) co
                        primes == 0 ? "" : fmt::format(" - {}", primes));
 }
 
-/// The sum of parts, with CoefBits and `most` fraction bits, of products CoefBits more.
+/// The sum of parts, with CoefBits and `most` fraction bits, of products CoefBits more. A sum and
+/// a multiple of words may be wider than they: they are products' words.
 std::string LineText::sum_of(const std::vector<Part>& parts, bool products, int most) const {
     std::string sum;
     for (const Part& part : parts) {
@@ -166,6 +176,8 @@ std::string LineText::sum_of(const std::vector<Part>& parts, bool products, int 
                 text = fmt::format("lifted({}, {})", text, coef_bits(most - part.fraction));
             } else if (most != part.fraction) {
                 text = fmt::format("lifted({}, {})", text, most - part.fraction);
+            } else if (!part.wide && (parts.size() > 1 || part.number != 1)) {
+                text = fmt::format("Product({})", text);
             }
             if (magnitude != 1) text = fmt::format("{} * {}", magnitude, text);
         }
@@ -196,6 +208,9 @@ std::string LineText::rounded(const std::vector<Part>& parts, const TableLine& l
         if (!part.constant && products && !part.product && part.fraction - most > kMostLift) {
             refuse(line, "has no word for terms of so different fractions");
         }
+    }
+    if (products && line.fraction - most > ref::parameter_of(&ref::CoreParameters::coef_bits).low) {
+        refuse(line, "rounds products: these are coarser than their line");
     }
     const std::string sum = sum_of(parts, products, most);
     const int shift = most - line.fraction;  // and CoefBits, of products

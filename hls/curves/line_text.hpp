@@ -30,6 +30,7 @@ class LineText {
     struct Part {
         std::string text;
         bool product = false;
+        bool wide = false;  // a product, or as wide
         bool constant = false;
         int fraction = 0;
         int number = 1;

@@ -19,6 +19,7 @@ class QuinticCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -26,6 +27,7 @@ class QuinticCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -51,22 +53,22 @@ class QuinticCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
             // V[k] : -2 = V[k] + sum(V[k])
-            V_[axis][0] = Coef(V_[axis][0] + sum(V_[axis], C::kOrder));
+            V_[axis][0] = Coef(Product(V_[axis][0]) + sum(V_[axis], C::kOrder));
             // W[k] : -2 = W[k] + sum(W[k])
-            W_[axis][0] = Coef(W_[axis][0] + sum(W_[axis], C::kOrder));
+            W_[axis][0] = Coef(Product(W_[axis][0]) + sum(W_[axis], C::kOrder));
             // X[k] : 0 = X[k] + sum(X[k])
-            X_[axis][0] = Coef(X_[axis][0] + sum(X_[axis], C::kOrder));
+            X_[axis][0] = Coef(Product(X_[axis][0]) + sum(X_[axis], C::kOrder));
             // Y[k] : 0 = Y[k] + sum(Y[k])
-            Y_[axis][0] = Coef(Y_[axis][0] + sum(Y_[axis], C::kOrder));
+            Y_[axis][0] = Coef(Product(Y_[axis][0]) + sum(Y_[axis], C::kOrder));
         }
         // phi : -2 = phi + sum(phi)
-        phi_[0] = Coef(phi_[0] + sum(phi_, C::kOrder));
-        Steps::move_origin(move);
+        phi_[0] = Coef(Product(phi_[0]) + sum(phi_, C::kOrder));
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -83,63 +85,63 @@ class QuinticCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DG[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef DV[3][C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
-        Coef DW[3][C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
-        Coef DX[3][C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
-        Coef DY[3][C::kMostOrder + 1] = {};           // CoefBits +0 fraction bits: +-0.5
-        Coef Dphi[C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
-        Coef Q[C::kMostOrder + 1] = {};               // CoefBits -4 fraction bits: +-8
-        Coef S[C::kMostOrder + 1] = {};               // CoefBits -4 fraction bits: +-8
-        Coef T[3][C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+        Coef DG_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+        Coef DV_[3][C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef DW_[3][C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef DX_[3][C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef DY_[3][C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
+        Coef Dphi_[C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+        Coef Q_[C::kMostOrder + 1] = {};              // CoefBits -4 fraction bits: +-8
+        Coef S_[C::kMostOrder + 1] = {};              // CoefBits -4 fraction bits: +-8
+        Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
         // S : -4 = phi*phi
-        S[0] = rounded(times(phi_[0], phi_[0]), C::kCoefBits);
+        S_[0] = rounded(times(phi_[0], phi_[0]), C::kCoefBits);
         // Q : -4 = - S*phi
-        Q[0] = rounded(-times(S[0], phi_[0]), C::kCoefBits - 2);
+        Q_[0] = rounded(-times(S_[0], phi_[0]), C::kCoefBits - 2);
         for (int axis = 0; axis < 3; ++axis) {
             // T[k] : -2 = V[k]*phi
-            T[axis][0] = rounded(times(V_[axis][0], phi_[0]), C::kCoefBits - 2);
+            T_[axis][0] = rounded(times(V_[axis][0], phi_[0]), C::kCoefBits - 2);
         }
         for (int i = 1; i <= C::kOrder; ++i) {
             for (int axis = 0; axis < 3; ++axis) {
                 // DV[k] : 0 = W[k]*Du
-                DV[axis][i] = rounded(series_times(W_[axis], phi_, i - 1), C::kCoefBits - 4);
+                DV_[axis][i] = rounded(series_times(W_[axis], phi_, i - 1), C::kCoefBits - 4);
                 // DW[k] : 0 = X[k]*Du
-                DW[axis][i] = rounded(series_times(X_[axis], phi_, i - 1), C::kCoefBits - 2);
+                DW_[axis][i] = rounded(series_times(X_[axis], phi_, i - 1), C::kCoefBits - 2);
                 // DX[k] : 0 = Y[k]*Du
-                DX[axis][i] = rounded(series_times(Y_[axis], phi_, i - 1), C::kCoefBits - 2);
+                DX_[axis][i] = rounded(series_times(Y_[axis], phi_, i - 1), C::kCoefBits - 2);
                 // DY[k] : 0 = Z[k]*phi'
-                DY[axis][i] = rounded(times(Z_[axis], phi_[i - 1]), C::kCoefBits - 2);
+                DY_[axis][i] = rounded(times(Z_[axis], phi_[i - 1]), C::kCoefBits - 2);
                 // V[k] : -2 = DV[k]/i
-                V_[axis][i] = rounded(over(DV[axis][i], i), C::kCoefBits + 1);
+                V_[axis][i] = rounded(over(DV_[axis][i], i), C::kCoefBits + 1);
                 // W[k] : -2 = DW[k]/i
-                W_[axis][i] = rounded(over(DW[axis][i], i), C::kCoefBits + 1);
+                W_[axis][i] = rounded(over(DW_[axis][i], i), C::kCoefBits + 1);
                 // X[k] : 0 = DX[k]/i
-                X_[axis][i] = rounded(over(DX[axis][i], i), C::kCoefBits - 1);
+                X_[axis][i] = rounded(over(DX_[axis][i], i), C::kCoefBits - 1);
                 // Y[k] : 0 = DY[k]/i
-                Y_[axis][i] = rounded(over(DY[axis][i], i), C::kCoefBits - 1);
+                Y_[axis][i] = rounded(over(DY_[axis][i], i), C::kCoefBits - 1);
             }
             // DG : -2 += V[k]*DV[k]
-            DG[i] = Coef(rounded(stieltjes(V_[0], DV[0], i), C::kCoefBits) +
-                rounded(stieltjes(V_[1], DV[1], i), C::kCoefBits) +
-                rounded(stieltjes(V_[2], DV[2], i), C::kCoefBits));
+            DG_[i] = Coef(rounded(stieltjes(V_[0], DV_[0], i), C::kCoefBits) +
+                rounded(stieltjes(V_[1], DV_[1], i), C::kCoefBits) +
+                rounded(stieltjes(V_[2], DV_[2], i), C::kCoefBits));
             // Dphi : -2 = Q*DG
-            Dphi[i] = rounded(stieltjes(Q, DG, i), C::kCoefBits - 4);
+            Dphi_[i] = rounded(stieltjes(Q_, DG_, i), C::kCoefBits - 4);
             // phi : -2 = Dphi/i
-            phi_[i] = rounded(over(Dphi[i], i), C::kCoefBits - 1);
+            phi_[i] = rounded(over(Dphi_[i], i), C::kCoefBits - 1);
             if (i <= C::kOrder - 1) {
                 // S : -4 = phi*phi
-                S[i] = rounded(series_times(phi_, phi_, i), C::kCoefBits);
+                S_[i] = rounded(series_times(phi_, phi_, i), C::kCoefBits);
                 // Q : -4 = - S*phi
-                Q[i] = rounded(-series_times(S, phi_, i), C::kCoefBits - 2);
+                Q_[i] = rounded(-series_times(S_, phi_, i), C::kCoefBits - 2);
                 for (int axis = 0; axis < 3; ++axis) {
                     // T[k] : -2 = V[k]*phi
-                    T[axis][i] = rounded(series_times(V_[axis], phi_, i), C::kCoefBits - 2);
+                    T_[axis][i] = rounded(series_times(V_[axis], phi_, i), C::kCoefBits - 2);
                 }
             }
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k] : -2 = T[k]'/i
-                x_[axis][i] = rounded(over(T[axis][i - 1], i), C::kCoefBits - 1);
+                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }
         }
     }

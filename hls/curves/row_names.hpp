@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ref/curves/order_demand.hpp"
@@ -25,24 +26,22 @@ class RowNames {
         for (const auto& [section, lines] : table.sections) {
             for (const ref::TableLine& line : lines) look_at(line, section);
         }
-        if (functions_.count(table.output) != 0) {
-            uses(table.output, kSample);
-            arrays_.insert(table.output);
+        const std::string output = ref::same_row(table, {table.output, true, 0, {}}).row;
+        if (functions_.count(output) != 0) {
+            uses(output, kSample);
+            arrays_.insert(output);
         }
-        std::set<std::string> taken;
-        for (const auto& [row, functions] : functions_) {
-            std::string name = row;
-            if (functions.size() > 1 || reserved().count(name) != 0) name += "_";
-            while (taken.count(name) != 0) name += "_";
-            taken.insert(name);
-            names_[row] = name;
-        }
-        names_["tau"] = "tau";
+        // No word of the language, nor a name of CurveSteps that a kernel uses, ends so.
+        for (const auto& [row, functions] : functions_) names_[row] = row + "_";
+        for (const char* of_sample : {"tau", "d"}) names_[of_sample] = of_sample;
     }
 
     const std::string& of(const std::string& row) const { return names_.at(row); }
     /// Returns whether the kernel keeps orders of the row.
     bool array(const std::string& row) const { return arrays_.count(row) != 0; }
+
+    /// Returns whether the row is a member: more than one function makes or reads it.
+    bool member(const std::string& row) const { return functions_.at(row).size() > 1; }
 
     std::vector<std::string> members() const {
         std::vector<std::string> rows;
@@ -63,24 +62,6 @@ class RowNames {
     }
 
   private:
-    static const std::set<std::string>& reserved() {
-        static const std::set<std::string> kWords{
-            "alignas",   "and",       "asm",     "auto",      "axis",     "before",      "bool",
-            "break",     "case",      "catch",   "char",      "class",    "const",       "continue",
-            "default",   "delete",    "do",      "double",    "down",     "else",        "enum",
-            "even",      "explicit",  "export",  "extern",    "false",    "float",       "for",
-            "friend",    "goto",      "i",       "if",        "inline",   "int",         "lifted",
-            "load",      "long",      "mutable", "namespace", "new",      "noexcept",    "not",
-            "nullptr",   "odd",       "offset",  "operator",  "or",       "out",         "over",
-            "private",   "protected", "public",  "register",  "return",   "rounded",     "sample",
-            "segment",   "short",     "signed",  "sizeof",    "static",   "step",        "struct",
-            "stieltjes", "sum",       "switch",  "template",  "this",     "throw",       "times",
-            "true",      "try",       "typedef", "typeid",    "typename", "union",       "unsigned",
-            "using",     "virtual",   "void",    "volatile",  "while",    "xor",         "C",
-            "Coef",      "Fine",      "Product", "Steps",     "expand",   "series_times"};
-        return kWords;
-    }
-
     void uses(const std::string& row, Function function) { functions_[row].insert(function); }
 
     void look_at(const ref::TableLine& line, const std::string& section) {
@@ -101,18 +82,24 @@ class RowNames {
                 if (!operand->row.empty()) reads(*operand, function, order);
             }
         }
+        if (section == "anchor") made_.insert({line.row, line.order.value_or(0)});
     }
     void reads(const ref::RowOperand& operand, Function function, bool by_order) {
         const ref::RowOperand of = ref::same_row(table_, operand);
         uses(of.row, function);
         const bool named = of.order.has_value() && *of.order == of.primes;
         if (table_.rows.at(of.row).series && by_order && !named) arrays_.insert(of.row);
-        if (of.order.value_or(0) > of.primes) arrays_.insert(of.row);
+        const int at = of.order.value_or(0) - of.primes;
+        if (at <= 0) return;
+        arrays_.insert(of.row);
+        // An order that no line of `anchor` has made so far is that of the step before.
+        if (function == kExpand && made_.count({of.row, at}) == 0) uses(of.row, kLoad);
     }
 
     const ref::CurveTable& table_;
     std::map<std::string, std::set<Function>> functions_;
     std::set<std::string> arrays_;
+    std::set<std::pair<std::string, int>> made_;  // orders, by `anchor`
     std::map<std::string, std::string> names_;
 };
 

@@ -19,6 +19,7 @@ class SeriesCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -26,6 +27,7 @@ class SeriesCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;

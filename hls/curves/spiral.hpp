@@ -18,6 +18,7 @@ class SpiralCurve : private CurveSteps<C> {
     using Steps::down;
     using Steps::even;
     using Steps::lifted;
+    using Steps::named;
     using Steps::odd;
     using Steps::over;
     using Steps::rounded;
@@ -25,6 +26,7 @@ class SpiralCurve : private CurveSteps<C> {
     using Steps::stieltjes;
     using Steps::sum;
     using Steps::times;
+    using Product = typename C::Product;
 
   public:
     using Coef = typename C::Coef;
@@ -48,18 +50,18 @@ class SpiralCurve : private CurveSteps<C> {
 
     /// Moves on to the next integration step.
     void step() {
-        Coef move[3] = {};                            // CoefBits -2 fraction bits: +-2
+        Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = Coef(sum(x_[axis], C::kOrder));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(T_[axis][0] + sum(T_[axis], C::kOrder));
+            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(N_[axis][0] + sum(N_[axis], C::kOrder));
+            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
         }
         // kappa : 0 = kappa + sum(kappa)
-        kappa_[0] = Coef(kappa_[0] + sum(kappa_, C::kOrder));
-        Steps::move_origin(move);
+        kappa_[0] = Coef(Product(kappa_[0]) + sum(kappa_, C::kOrder));
+        Steps::move_origin(move_);
         Steps::move_auxiliary();
         expand();
     }
@@ -76,30 +78,30 @@ class SpiralCurve : private CurveSteps<C> {
 
   private:
     void expand() {
-        Coef DN[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef DT[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
-        Coef Dkappa[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
-        Coef kappa2[C::kMostOrder + 1] = {};          // CoefBits +1 fraction bits: +-0.25
+        Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
+        Coef Dkappa_[C::kMostOrder + 1] = {};         // CoefBits +0 fraction bits: +-0.5
+        Coef kappa2_[C::kMostOrder + 1] = {};         // CoefBits +1 fraction bits: +-0.25
         // kappa2 : +1 = kappa*kappa
-        kappa2[0] = rounded(times(kappa_[0], kappa_[0]), C::kCoefBits - 1);
+        kappa2_[0] = rounded(times(kappa_[0], kappa_[0]), C::kCoefBits - 1);
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dkappa : 0 = - c*kappa2'
-            Dkappa[i] = rounded(-times(c_, kappa2[i - 1]), C::kCoefBits - 2);
+            Dkappa_[i] = rounded(-times(c_, kappa2_[i - 1]), C::kCoefBits - 2);
             // kappa : 0 = Dkappa/i
-            kappa_[i] = rounded(over(Dkappa[i], i), C::kCoefBits - 1);
+            kappa_[i] = rounded(over(Dkappa_[i], i), C::kCoefBits - 1);
             if (i <= C::kOrder - 1) {
                 // kappa2 : +1 = kappa*kappa
-                kappa2[i] = rounded(series_times(kappa_, kappa_, i), C::kCoefBits - 1);
+                kappa2_[i] = rounded(series_times(kappa_, kappa_, i), C::kCoefBits - 1);
             }
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa*N[k]'
-                DT[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
+                DT_[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
                 // DN[k] : -2 = - kappa*T[k]'
-                DN[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
+                DN_[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
                 // x[k] : -2 = T[k]'/i
                 x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
             }

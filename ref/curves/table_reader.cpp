@@ -116,6 +116,7 @@ class Reader {
                 place.refuse("const: expected a name, a fraction and a value");
             }
             CurveRow& constant = row(items[0]);
+            if (constant.of_axis) place.refuse(items[0] + " is a row of each axis: no constant");
             if (!constant.start) {
                 constant.fraction = whole(items[1], place);
             }
@@ -146,6 +147,7 @@ class Reader {
             const RowOperand other = read_row_operand(items[1], place);
             CurveRow& made = row(rate.row);
             made = known(other.row, place);
+            in_order_.emplace_back(other.row, place.line);
             made.word = made.start = false;
             made.value.reset();
             made.series = true;
@@ -210,6 +212,9 @@ class Reader {
         if (found == table_.rows.end()) {
             place.refuse("no line before makes " + name);
         }
+        if (name == "tau" && section_ != "sample") {
+            place.refuse("tau is a place in the step, in `sample` alone");
+        }
         return found->second;
     }
 
@@ -221,6 +226,9 @@ class Reader {
         }
         if (read.of_axis && !line.of_axis && !line.adds_axes) {
             place.refuse(line.row + " is no row of an axis, " + read.row + "[k] is");
+        }
+        if (read.order.value_or(0) > kMostOrder) {
+            place.refuse("an order above " + std::to_string(kMostOrder));
         }
         if (read.primes != 0 || read.order) {
             in_order_.emplace_back(read.row, place.line);  // `order` may make it further down
@@ -255,6 +263,9 @@ class Reader {
             reads(line.series, line, place);
             if (!known(line.series.row, place).series) {
                 place.refuse(line.series.row + " is no series");
+            }
+            if (line.function == TableLine::Function::kHorner && section_ != "sample") {
+                place.refuse("horner(..) is a polynomial in tau, in `sample` alone");
             }
             if (!line.variable.empty()) {
                 known(line.variable, place);
@@ -294,6 +305,9 @@ class Reader {
         if (made.word || made.same_as || (made.value && !made.start)) {
             place.refuse(line.row + " is fixed: no line makes it");
         }
+        if (section_ != "load" && makes("load", line.row)) {
+            place.refuse(line.row + " is made in `load`, once for its segment");
+        }
         if (made.fraction != line.fraction) {
             place.refuse(line.row + " has a fraction of " + std::to_string(made.fraction) +
                          " already");
@@ -308,12 +322,12 @@ class Reader {
 
     /// Returns whether a section before `next` makes a row.
     bool made_before(const std::string& row) const {
-        const auto makes = [&](const char* section) {
-            const auto& lines = table_.section(section);
-            return std::any_of(lines.begin(), lines.end(),
-                               [&](const TableLine& line) { return line.row == row; });
-        };
-        return makes("load") || makes("anchor") || makes("order");
+        return makes("load", row) || makes("anchor", row) || makes("order", row);
+    }
+    bool makes(const char* section, const std::string& row) const {
+        const auto& lines = table_.section(section);
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](const TableLine& line) { return line.row == row; });
     }
 
     bool on_bus(const std::string& name) const {

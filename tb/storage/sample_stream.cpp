@@ -5,9 +5,34 @@
 #include <cstdio>
 
 #include "hls/curve_kernel.hpp"
+#include "hls/curves/arc.hpp"
+#include "hls/curves/archimedean.hpp"
+#include "hls/curves/catenary.hpp"
+#include "hls/curves/clothoid.hpp"
+#include "hls/curves/ellipse.hpp"
+#include "hls/curves/involute.hpp"
+#include "hls/curves/quintic.hpp"
+#include "hls/curves/series.hpp"
+#include "hls/curves/spiral.hpp"
+#include "hls/curves/spline.hpp"
 #include "hls/hyperbola_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "tb/support/segments/plain_segments.hpp"
+
+// Every made kernel is a kernel of each storage.
+namespace curvecore {
+namespace hls {
+using Widest = Configuration<6, 36, 32, 10, 1, SamplerMode::kPolynomial>;
+template class ArchimedeanCurve<WithFurther<Widest, ArchimedeanCurve<Widest>::kFurther>>;
+template class CatenaryCurve<WithFurther<Widest, CatenaryCurve<Widest>::kFurther>>;
+template class ClothoidCurve<WithFurther<Widest, ClothoidCurve<Widest>::kFurther>>;
+template class EllipseCurve<WithFurther<Widest, EllipseCurve<Widest>::kFurther>>;
+template class InvoluteCurve<WithFurther<Widest, InvoluteCurve<Widest>::kFurther>>;
+template class QuinticCurve<WithFurther<Widest, QuinticCurve<Widest>::kFurther>>;
+template class SeriesCurve<WithFurther<Widest, SeriesCurve<Widest>::kFurther>>;
+template class SpiralCurve<WithFurther<Widest, SpiralCurve<Widest>::kFurther>>;
+}  // namespace hls
+}  // namespace curvecore
 
 namespace {
 
@@ -30,6 +55,33 @@ void print_samples(bool splines) {
         }
         std::printf("\n");
     }
+}
+
+/// Samples of the made kernels of arcs and splines.
+template <class C, template <class> class Kernel>
+void print_made(SegmentWords<C> (*draw)(Random&)) {
+    Random random;
+    Kernel<C> kernel;
+    for (int n = 0; n < 1000; ++n) {
+        const SegmentWords<C> segment = draw(random);
+        kernel.load(segment);
+        for (int step = 0; step < 3; ++step) {
+            if (step > 0) kernel.step();
+            const auto offset =
+                std::int64_t(random.uniform(0, std::ldexp(1.0, segment.step_exponent + kPathFrac)));
+            Word<C::kFineBits> fine[C::kAxes];
+            kernel.sample(Word<kLengthBits + 1>(offset), fine);
+            for (const auto& word : fine) {
+                std::printf("%lld ", static_cast<long long>(to_int(word)));
+            }
+            std::printf("\n");
+        }
+    }
+}
+template <class C>
+void print_made_kernels() {
+    print_made<C, ArcCurve>([](Random& random) { return random_segment<C>(random); });
+    print_made<C, SplineCurve>([](Random& random) { return random_spline<C>(random); });
 }
 
 template <class C>
@@ -79,6 +131,8 @@ int main() {
     }
     print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries, false>>(true);
     print_samples<Configuration<5, 33, 32, 8, 0, SamplerMode::kPolynomial, false>>(true);
+    print_made_kernels<Configuration<6, 36, 32, 10, 1, SamplerMode::kPolynomial>>();
+    print_made_kernels<Configuration<6, 32, 32, 10, 0, SamplerMode::kSeries>>();
     print_hyperbolas<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>>();
     print_hyperbolas<Configuration<11, 29, 32, 10, 0, SamplerMode::kSeries, false>>();
     print_path();

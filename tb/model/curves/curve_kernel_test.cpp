@@ -16,6 +16,7 @@
 #include "hls/curves/spline.hpp"
 #include "hls/quantise.hpp"
 #include "ref/text/input_error.hpp"
+#include "shapes.hpp"
 #include "sysc/core/table_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
@@ -157,6 +158,37 @@ TEST(CurveKernel, OfASeriesHasItsWords) {
     }
 }
 
+// Random words, not of a curve: what a row holds is cut to its word in both.
+TEST(CurveKernel, OfLinesOfEveryShapeHasTheirWords) {
+    const auto table = std::make_shared<ref::CurveTable>(ref::read_curve_table(SHAPES_TABLE));
+    std::mt19937_64 random(4);
+    for (CurveCase of : configurations()) {
+        if (of.spline) continue;
+        ref::add_table(table, of.core);
+        const Format format(of.core, of.core.axes());
+        hls::ShapesCurve<Format> kernel(format);
+        sysc::TableKernel machine(*table, format);
+        for (int n = 0; n < cases(5, 200); ++n) {
+            const auto word = [&] {
+                const double most = std::ldexp(1.0, of.core.coef_bits - 4);
+                return static_cast<std::int64_t>(
+                    std::uniform_real_distribution<double>(-most, most)(random));
+            };
+            sysc::RunSegment words;
+            words.step_exponent = std::min(hls::kMaxStepExponent, of.core.position_bits - 6);
+            words.lambda = words.step_exponent + static_cast<int>(random() % 3);
+            words.theta = word();
+            for (int axis = 0; axis < 3; ++axis) {
+                words.tangent[axis] = word();
+                words.normal[axis] = word();
+                words.advance[axis] = word();
+            }
+            for (auto& further : words.further) further = word();
+            EXPECT_EQ(differ(kernel, machine, words, 3, 3, random), 0) << text(of);
+        }
+    }
+}
+
 ref::CurveTable changed(const std::string& from, const std::string& to) {
     std::string text =
         "curve bent a curve\nword c[3] -2\nbus tangent c\noutput x\nanchor\n"
@@ -179,6 +211,17 @@ TEST(CurveKernel, RefusesWhatNoStatementSays) {
     EXPECT_EQ(refusal(changed("anchor", "anchor")), "");
     EXPECT_EQ(refusal(changed("word c", "const half -2 0.5\nword c")),
               "bent.net:1: error: half: a kernel of C++ takes whole numbers as constants alone");
+    EXPECT_EQ(refusal(changed("1/2 c[k]", "1/2 c[k]\n  e[k] : -3 = e[*]*c[*]")),
+              "bent.net:8: error: a kernel of C++ makes e[k] axis by axis: what it takes of all "
+              "axes is made in a row of its own");
+    EXPECT_EQ(refusal(changed("1/2 c[k]", "1/2 c[k]\n  f[k] : +16 = e[k]*c[k]")),
+              "bent.net:8: error: a kernel of C++ rounds products: these are coarser than their "
+              "line");
+    EXPECT_EQ(refusal(changed("sum(x[k])",
+                              "sum(x[k])\nsample\n  e[k] : -3 = c[k]\n"
+                              "  d[k] : -2 = e[k]")),
+              "bent.net:11: error: a kernel of C++ makes what `sample` makes there alone: e is "
+              "made or read elsewhere, too");
     EXPECT_EQ(refusal(changed("1/2 c[k]", "1/2")),
               "bent.net:7: error: a kernel of C++ takes whole numbers as constants alone");
 }
