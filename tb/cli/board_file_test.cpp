@@ -35,8 +35,8 @@ TEST_F(BoardFile, SaysCorePeriodAndQueues) {
     const Json json = words("tang_nano_20k");
     EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 135e6);
     EXPECT_EQ(json["parameters"]["Splines"], 1);
-    EXPECT_EQ(json["queue_words"]["segments"], 1024);
-    EXPECT_EQ(json["queue_words"]["profile"], 1024);
+    EXPECT_EQ(json["queue_words"]["segments"], 2048);
+    EXPECT_EQ(json["queue_words"]["profile"], 2048);
 }
 
 TEST_F(BoardFile, OfOnesOwnIsRead) {

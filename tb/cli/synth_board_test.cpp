@@ -169,7 +169,8 @@ TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
     const ProgramResult result = engine_board(synth, 14);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_PRED_FORMAT2(IsSubstring,
-                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ClockHertz(95000000), "
+                        ".Build(2), .MultiplierForm(1), .PeriodLog2(14), .ProfileQueueWords(2048), "
+                        ".SegmentQueueWords(2048), .ClockHertz(87500000), "
                         ".Program(\"program.hex\"), .Data(\"data.hex\")",
                         synth.read("out/boards/engine/top.v"));
     const std::string program = synth.read("out/boards/engine/program.hex");
@@ -264,7 +265,7 @@ const std::vector<BadBoard> kBadBoards{
     {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",
      "Axes (FineBits + 7) + 4 clocks must fit"},
     {"BaudTooFast", R"({"baud": 15000000})", "15000000 baud: a bit has 6 clocks, and not 8"},
-    {"BaudOff", R"({"baud": 8260000})", "8260000 baud: 12 clocks a bit are -4.2% off"},
+    {"BaudOff", R"({"baud": 8300000})", "8300000 baud: 11 clocks a bit are -4.2% off"},
     {"UnknownFamily", R"({"family": "max10"})", "unknown family 'max10': one of ecp5, ice40"},
     {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
     {"UnknownEntry", R"({"colour": "green"})", "'colour': a board has board, part, "},

@@ -89,8 +89,8 @@ def pack(arguments):
 
 
 def ecppll(arguments):
-    """Rounds to multiples of 5 MHz."""
-    Path(arguments[-1]).write_text(str(float(arguments[arguments.index("-o") + 1]) // 5 * 5))
+    """Rounds to multiples of 2.5 MHz."""
+    Path(arguments[-1]).write_text(str(float(arguments[arguments.index("-o") + 1]) // 2.5 * 2.5))
 
 
 def other_pll(arguments):

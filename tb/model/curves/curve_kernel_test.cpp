@@ -158,7 +158,7 @@ TEST(CurveKernel, OfASeriesHasItsWords) {
     }
 }
 
-// Random words, not of a curve: what a row holds is cut to its word in both.
+// Random words, not of a curve: no row of either is cut to its word.
 TEST(CurveKernel, OfLinesOfEveryShapeHasTheirWords) {
     const auto table = std::make_shared<ref::CurveTable>(ref::read_curve_table(SHAPES_TABLE));
     std::mt19937_64 random(4);
