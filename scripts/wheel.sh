@@ -21,13 +21,10 @@ scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 to=$PWD/build/wheel
 tree=$to/tree
+rm -rf "$tree"
 mkdir -p "$tree" "$to/made"
-# Files that are as they were keep their times, so that what was built is not built again.
-for folder in rtl hls ref sysc scripts; do
-  mkdir -p "$tree/$folder"
-  cp -ru "$folder" "$tree"
-done
-cp -u CMakeLists.txt LICENSE README.md sysc/python/pyproject.toml "$tree"
+# With their times, so that what was built is not built again.
+cp -rp rtl hls ref sysc scripts CMakeLists.txt LICENSE README.md sysc/python/pyproject.toml "$tree"
 rm -f "$to"/*.whl "$to"/*.tar.gz "$to"/made/*
 cd "$tree"
 echo "wheel: compiling, some minutes at first"
