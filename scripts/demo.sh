@@ -12,23 +12,26 @@ case ${1:-} in
     exit 0
     ;;
 esac
-file=
+root=$(cd "$(dirname "$0")/.." && pwd)
+file=$root/tb/data/demo.ngc
 case ${1:-} in
   "" | -*) ;;
   *)
-    file=$(realpath -- "$1")
+    file=$1
     shift
     ;;
 esac
-cd "$(dirname "$0")/.."
+here=$PWD
+cd "$root"
 scripts/setup.sh run
 # The tests need more tools: only a tree that has been configured for them is kept so.
 tests=$(sed -n 's/^CURVECORE_TESTS:BOOL=//p' build/release/CMakeCache.txt 2>/dev/null) || true
 cmake --preset release --no-warn-unused-cli -DCURVECORE_TESTS="${tests:-OFF}" >/dev/null
 cmake --build --preset release -j "$(nproc)" --target curvecore
-out=$PWD/build/demo
+cd "$here" # in which FILE and those of OPTIONS are
+out=$root/build/demo
 status=0
-build/curvecore run "${file:-tb/data/demo.ngc}" -o "$out" "$@" || status=$?
+"$root/build/curvecore" run "$file" -o "$out" "$@" || status=$?
 [ $status = 2 ] && exit 2
 echo
 echo "report and pictures  $out/report.html"

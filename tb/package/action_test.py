@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """action_test.py ROOT CURVECORE WRONG_ROUNDING [TESTS ..]: .github/actions/run, its shell with a
-demo.sh that says what it is given; and what CI systems are given, junit.xml."""
+program that says what it is given and where; and what CI systems are given, junit.xml."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,22 +28,29 @@ class ActionTest(unittest.TestCase):
         for name in step["env"].values():
             self.assertIn(name.strip("${} ").removeprefix("inputs."), action["inputs"])
         tree = self.folder / "tree"
-        (tree / "scripts").mkdir(parents=True)
+        for name, text in (("scripts/setup.sh", ":"), ("bin/cmake", ":"),
+                           ("build/curvecore", 'pwd -P; printf "<%s>" "$@"')):
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            (tree / name).write_text(f"#!/bin/sh\n{text}\n", encoding="ascii")
+            (tree / name).chmod(0o755)
+        shutil.copy(ROOT / "scripts/demo.sh", tree / "scripts")
         (tree / ".github/actions/run").mkdir(parents=True)
-        demo = tree / "scripts/demo.sh"
-        demo.write_text('#!/bin/sh\nprintf "<%s>" "$@"\n', encoding="ascii")
-        demo.chmod(0o755)
-        (self.folder / "my rtl").mkdir()
+        here = self.folder / "here"  # where relative files are
+        here.mkdir()
+        (here / "Order=4").touch()
         for given, expected in (
-                ({"PART": "a b.ngc", "RTL": "", "OPTIONS": ""}, "<a b.ngc><--junit>"),
-                ({"PART": "p.ngc", "RTL": "my rtl", "OPTIONS": "--set Order=4"},
-                 f"<p.ngc><--rtl><{self.folder.resolve()}/my rtl><--junit><--set><Order=4>")):
+                ({"PART": "a b.ngc", "RTL": "", "OPTIONS": ""}, "<--junit>"),
+                ({"PART": "p.ngc", "RTL": "my rtl", "OPTIONS": "--machine my/mill.ini --set O*=4"},
+                 "<--rtl><my rtl><--junit><--machine><my/mill.ini><--set><O*=4>")):
             done = subprocess.run(
-                ["bash", "-e", "-c", step["run"]], cwd=self.folder, check=True, text=True,
+                ["bash", "-e", "-c", step["run"]], cwd=here, check=True, text=True,
                 capture_output=True,
                 env={**given, "GITHUB_ACTION_PATH": str(tree / ".github/actions/run"),
-                     "GITHUB_OUTPUT": str(self.folder / "output"), "PATH": "/usr/bin:/bin"})
-            self.assertEqual(done.stdout, expected)
+                     "GITHUB_OUTPUT": str(self.folder / "output"),
+                     "PATH": f"{tree}/bin:/usr/bin:/bin"})
+            self.assertEqual(done.stdout.split("\n")[:2],
+                             [str(here.resolve()),
+                              f"<run><{given['PART']}><-o><{tree}/build/demo>{expected}"])
         self.assertIn(f"folder={tree}/build/demo\n", (self.folder / "output").read_text())
 
     def cases(self, program, status):
