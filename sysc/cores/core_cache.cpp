@@ -235,6 +235,7 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
                                      model.source};
     for (std::string& parameter : all_parameters(model)) command.push_back(std::move(parameter));
     if (run(command, log) != 0) {
+        fs::remove_all(work);
         if (rtl_ != sources_ / "rtl") {
             throw UsageError(fmt::format("--rtl {}: {}; all of it: {}", rtl_.string(),
                                          reason_in(log), log.string()));

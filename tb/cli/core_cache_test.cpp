@@ -116,6 +116,9 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
     EXPECT_EQ(same.status, 0) << same.err;
     EXPECT_EQ(count(same.err, "making the core parallel"), 1) << same.err;
     EXPECT_EQ(Json::parse(shell_.read("same/report.json"))["rtl_equals_kernel"], 0);
+    const ProgramResult linked = draw("ln -s fork link", "-o linked --rtl link");
+    EXPECT_EQ(linked.status, 0) << linked.err;
+    EXPECT_EQ(linked.err, "") << "the core of the folder";
 
     const ProgramResult wrong =
         draw("sed -i 's/{d_i, /{-d_i, /' fork/arithmetic/fine_scale.sv", "-o wrong --rtl fork");
@@ -129,6 +132,15 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
     EXPECT_EQ(broken.err.substr(0, 24), "curvecore: error: --rtl ") << broken.err;
     EXPECT_NE(broken.err.find("motion_interpolator.sv:"), std::string::npos) << broken.err;
     EXPECT_FALSE(shell_.exists("broken"));
+    EXPECT_EQ(made().size(), 2U) << "the first, the wrong one";
+    for (const auto& [name, character] : {std::pair{"fork/a b", " "}, {"fork/line/a*", "*"}}) {
+        const fs::path folder = shell_.folder() / name;
+        fs::create_directory(folder);
+        EXPECT_EQ(draw("", "--rtl fork").err,
+                  "curvecore: error: --rtl '" + folder.string() +
+                      "': no file of RTL can be read whose path has a '" + character + "'\n");
+        fs::remove(folder);
+    }
     EXPECT_EQ(draw("", "--rtl tools").err,
               "curvecore: error: --rtl 'tools': there is no motion_interpolator.sv\n");
     EXPECT_EQ(draw("", "--rtl fork --on kernel").err,
@@ -170,6 +182,7 @@ TEST_F(MadeCore, ThatCannotBeMadeLeavesNothingButItsLog) {
     std::getline(file, line);
     EXPECT_EQ(line, "no more space");
     EXPECT_FALSE(shell_.exists("out"));
+    EXPECT_TRUE(made().empty());
     EXPECT_EQ(run("RUN out -q").status, 0) << "a failure is not kept";
 }
 

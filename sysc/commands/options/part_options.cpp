@@ -14,16 +14,23 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Reads the folder of a core's sources.
+/// Reads the folder of a core's sources; make_core.sh and Verilator's make take plain names.
 std::string folder_of_rtl(const std::string& option, const std::string& text) {
+    namespace fs = std::filesystem;
+    const auto check_name = [&](const std::string& path) {
+        const std::size_t at = path.find_first_of(" \t\n*?[]\\$`'\"#%;&|<>()");
+        if (at == std::string::npos) return;
+        throw UsageError(fmt::format("{} '{}': no file of RTL can be read whose path has a '{}'",
+                                     option, path, path[at]));
+    };
     std::error_code unknown;
-    std::string folder = std::filesystem::absolute(text, unknown).string();
-    if (folder.find_first_of(" \t\n") != std::string::npos) {
-        throw UsageError(
-            fmt::format("{} '{}': Verilator's make takes no folder with a blank", option, folder));
-    }
-    if (!std::filesystem::exists(folder + "/motion_interpolator.sv", unknown)) {
+    const fs::path folder = fs::canonical(text, unknown);
+    if (unknown || !fs::exists(folder / "motion_interpolator.sv", unknown)) {
         throw UsageError(fmt::format("{} '{}': there is no motion_interpolator.sv", option, text));
+    }
+    check_name(folder);
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_directory() || entry.path().extension() == ".sv") check_name(entry.path());
     }
     return folder;
 }
