@@ -182,13 +182,17 @@ CoreCache::CoreCache(const std::string& rtl)
     cores_ = fs::absolute(cores_);
 }
 
-std::string CoreCache::digest(const CachedModel& model, const CoreMicrocode& microcode) const {
+fs::path CoreCache::folder_of(const CachedModel& model, const CoreMicrocode& microcode) const {
     std::vector<fs::path> files;
+    const fs::path own = sources_ / "rtl";
     for (const fs::path& folder : {rtl_, sources_ / "sysc/board", sources_ / "sysc/cores",
                                    sources_ / "sysc/virtual", sources_ / "sysc/cmake"}) {
+        // A fork may have modules in .v, and includes of any name.
+        const bool every = folder == rtl_ && rtl_ != own;
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             const std::string kind = entry.path().extension();
-            if (kind == ".sv" || kind == ".hpp" || kind == ".sh") files.push_back(entry.path());
+            const bool read = every || kind == ".sv" || kind == ".hpp" || kind == ".sh";
+            if (read && entry.is_regular_file()) files.push_back(entry.path());
         }
     }
     files.push_back(sources_ / model.source);
@@ -205,7 +209,7 @@ std::string CoreCache::digest(const CachedModel& model, const CoreMicrocode& mic
         digest.add(microcode.text());
         digest.add(cores_);  // a core of another place reads its programs there
     }
-    return digest.text();
+    return cores_ / fmt::format("{}-{}", build_name(model.core.build), digest.text());
 }
 
 void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
@@ -243,6 +247,12 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
         throw std::runtime_error(fmt::format("the {} could not be made: {}; see {}", model.kind,
                                              reason_in(log), log.string()));
     }
+    if (folder_of(model, microcode) != folder) {
+        fs::remove_all(work);
+        throw UsageError(
+            fmt::format("{}: files changed while the {} was made from them: run it again",
+                        rtl_.string(), model.kind));
+    }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");
     microcode.write(work);
@@ -264,8 +274,7 @@ void* CoreCache::open(const CachedModel& model, bool quiet) const {
     const CoreMicrocode microcode(model.core,
                                   {model.segment_queue_words, model.profile_queue_words}, sources_,
                                   model.rate_bits);
-    const fs::path folder =
-        cores_ / fmt::format("{}-{}", build_name(model.core.build), digest(model, microcode));
+    const fs::path folder = folder_of(model, microcode);
     const fs::path file = folder / "core.so";
     const Lock lock(folder.string() + ".lock", quiet);
     if (!fs::exists(file) || text_of(folder / "core.sum") != digest_of(file) ||

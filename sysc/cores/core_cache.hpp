@@ -34,15 +34,17 @@ class CoreCache {
 
     /// Opens the core with these parameters, and builds it if it is not in the cache; waits for
     /// another run that builds it. Reports its work on stderr, unless quiet.
-    /// @throws UsageError without Verilator, and when it refuses sources that are not its own;
-    /// std::runtime_error when it fails
+    /// @throws UsageError without Verilator, when it refuses sources that are not its own, and when
+    /// sources changed while it read them; std::runtime_error when it fails
     MakeBoard* open(const CoreParameters& parameters, bool quiet) const;
     /// Opens any module; returns its function curvecore_model.
     void* open(const CachedModel& model, bool quiet) const;
 
   private:
-    /// Digest of all files and parameters that the model is made from.
-    std::string digest(const CachedModel& model, const CoreMicrocode& microcode) const;
+    /// Folder of the model; its name has a digest of all files and parameters that the model is
+    /// made from.
+    std::filesystem::path folder_of(const CachedModel& model, const CoreMicrocode& microcode) const;
+    /// @throws UsageError, too, if files changed meanwhile: which of them were read is unknown
     void make(const CachedModel& model, const CoreMicrocode& microcode,
               const std::filesystem::path& folder, bool quiet) const;
 

@@ -104,7 +104,8 @@ TEST_F(MadeCore, OfTheEngineKeepsItsProgramsBesideIt) {
     EXPECT_TRUE(shell_.read("three/samples.csv") == shell_.read("one/samples.csv"));
 }
 
-/// A copy of the RTL is drawn as it stands; one with a sign changed is found out.
+/// A copy of the RTL is drawn as it stands; one with a sign changed is found out. One of its
+/// modules is Verilog's.
 TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
     const auto draw = [&](const std::string& change, const std::string& options) {
         return shell_.run({"-c", change +
@@ -112,7 +113,10 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
                                      "--set CoefBits=18 --unit 1um " +
                                      options});
     };
-    const ProgramResult same = draw("cp -r " CURVES_DIR "/../../rtl fork", "-o same --rtl fork");
+    const ProgramResult same = draw("cp -r " CURVES_DIR
+                                    "/../../rtl fork && cd fork/arithmetic && mv fine_scale.sv "
+                                    "fine_scale.v && cd ../..",
+                                    "-o same --rtl fork");
     EXPECT_EQ(same.status, 0) << same.err;
     EXPECT_EQ(count(same.err, "making the core parallel"), 1) << same.err;
     EXPECT_EQ(Json::parse(shell_.read("same/report.json"))["rtl_equals_kernel"], 0);
@@ -121,7 +125,7 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
     EXPECT_EQ(linked.err, "") << "the core of the folder";
 
     const ProgramResult wrong =
-        draw("sed -i 's/{d_i, /{-d_i, /' fork/arithmetic/fine_scale.sv", "-o wrong --rtl fork");
+        draw("sed -i 's/{d_i, /{-d_i, /' fork/arithmetic/fine_scale.v", "-o wrong --rtl fork");
     EXPECT_EQ(wrong.status, 1) << wrong.err;
     EXPECT_NE(wrong.err.find(" words differ; first: sample "), std::string::npos) << wrong.err;
     EXPECT_NE(wrong.err.find(" of line 2: board ds "), std::string::npos) << wrong.err;
@@ -145,6 +149,20 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
               "curvecore: error: --rtl 'tools': there is no motion_interpolator.sv\n");
     EXPECT_EQ(draw("", "--rtl fork --on kernel").err,
               "curvecore: error: --rtl: with --on rtl or systemc-rtl\n");
+}
+
+/// Verilator may have read a file before or after it changed.
+TEST_F(MadeCore, OfFilesThatChangeMeanwhileIsNotKept) {
+    const std::string tools = tool("verilator",
+                                   "case $1 in --cc) echo >>fork/line/more.vh ;; esac\n"
+                                   "exec /usr/bin/verilator \"$@\"");
+    const ProgramResult result =
+        run("cp -r " CURVES_DIR "/../../rtl fork\nPATH=" + tools + ":$PATH RUN out -q --rtl fork");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "curvecore: error: " + (shell_.folder() / "fork").string() +
+                              ": files changed while the core was made from them: run it again\n");
+    EXPECT_FALSE(shell_.exists("out"));
+    EXPECT_TRUE(made().empty());
 }
 
 TEST_F(MadeCore, WithoutVerilatorSaysWhatToInstall) {
