@@ -74,12 +74,11 @@ std::vector<Answer> answers(const CompareOptions& options, const ref::Program& p
             if (!keeps(row, options)) continue;
             ++answer.keep;
             for (const Build build : options.builds) {
-                AnswerCore core{&row, row.setting, {}};
+                AnswerCore core{&row, core_for(arcs, splines, build), row.setting, {}};
                 core.parameters.build = build;
                 core.parameters.multiplier_form = device->form;
                 if (!ref::why_not_built(core.parameters).empty()) continue;
-                const auto cost =
-                    estimate(core_for(arcs, splines, build), core.parameters, *device);
+                const auto cost = estimate(core.core, core.parameters, *device);
                 if (!cost || !cost->fits(*device)) continue;
                 core.cost = *cost;
                 ++answer.fit;
@@ -133,7 +132,7 @@ std::string Answer::text(const CompareOptions& options, std::size_t asked) const
 
 CoreFile Answer::core(const CompareOptions& options) const {
     CoreFile file;
-    file.core = take->parameters.splines != 0 ? "curve" : "spherical";
+    file.core = core_name(take->core);
     file.parameters = take->parameters;
     file.device = device->name;
     file.unit_mm = options.common.unit_mm;

@@ -14,6 +14,7 @@ namespace curvecore::sysc {
 /// A configuration of the comparison in one build, on one device.
 struct AnswerCore {
     const Row* row = nullptr;
+    Core core;
     CoreParameters parameters;
     CostEstimate cost;
 };

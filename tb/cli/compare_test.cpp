@@ -118,6 +118,21 @@ TEST_F(Compare, AnswersWhichConfigurationToTake) {
         << program_.run(arguments).out;
 }
 
+/// The core whose size is compared is the one that core.json names.
+TEST_F(Compare, AnswersWithACoreOfSplinesAloneWhereNothingElseIsDrawn) {
+    const auto core = [this](const Arguments& options) {
+        Arguments all{"--set",   "Order=6", "--set",    "CoefBits=24", "--set",     "Mode=0",
+                      "--error", "1um",     "--device", "ecp5-85",     "--samples", "200"};
+        all.insert(all.end(), options.begin(), options.end());
+        compare(all);
+        return Json::parse(program_.read("out/core.json"))["core"];
+    };
+    EXPECT_EQ(core({"--curves", "splines", "--build", "parallel"}), "spline");
+    EXPECT_EQ(core({"--curves", "splines", "--build", "serial"}), "curve");
+    EXPECT_EQ(core({"--curves", "all", "--build", "parallel"}), "curve");
+    EXPECT_EQ(core({"--curves", "arcs", "--build", "parallel"}), "spherical");
+}
+
 TEST_F(Compare, WritesARowForEveryCombination) {
     program_.write("part.ngc", kPart);
     const Json json = compare({"part.ngc", "--set", "Order=4,6", "--set", "CoefBits=28:36:4",
@@ -319,7 +334,9 @@ TEST_F(Compare, InterruptedKeepsFinishedRows) {
     }
     ASSERT_TRUE(program_.exists("out/compare.json"));
     EXPECT_EQ(program_.files(), Arguments{"out"});
+    EXPECT_FALSE(program_.exists("out/core.json")) << "the rest may have a smaller one";
     const Json json = Json::parse(program_.read("out/compare.json"));
+    EXPECT_EQ(json["answers"].size(), 0U);
     const int finished = json["finished"];
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["asked"], 7 * 7 * 7 * 2);

@@ -108,7 +108,11 @@ void add_core(CLI::App& command, CoreChoice& core) {
              "a core as choose writes it: parameters, unit, error, sample period, clock");
     add_value(command, "--build", core.build, "BUILD",
               "parallel (default), engine, or serial: a curve core alone", build_of);
-    add_text(command, "--device", core.said.device, "NAME", device_names());
+    add_value(command, "--device", core.said.device, "NAME", device_names(),
+              [](const std::string& option, const std::string& text) {
+                  if (text.empty()) throw UsageError(option + " '': a name is expected");
+                  return text;
+              });
     add_value(command, "--error", core.said.error_mm, "LENGTH",
               fmt::format("worst error of a position on any axis, half a unit of rounding in it; "
                           "default {:g} units",

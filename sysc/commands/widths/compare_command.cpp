@@ -55,6 +55,8 @@ double tick_of(const std::string& option, const std::string& text) {
 
 const auto kTicks = list_of_different(within(tick_of, 1e-6, 10, "in [1us, 10s]"));
 const auto kFeeds = list_of_different(speed);
+const auto kDevices =
+    list_of_different([](const std::string&, const std::string& name) { return device_of(name); });
 constexpr const char* kStandardTick = "10ms";
 constexpr const char* kStandardFeeds = "1.5m/min,2m/min";
 
@@ -82,9 +84,7 @@ CompareOptions& complete(CompareChoice& asked) {
     }
     std::string& device = asked.part.core.said.device;
     if (!device.empty()) {
-        for (const std::string& name : list_items("--device", device)) {
-            compare.devices.push_back(device_of(name));
-        }
+        compare.devices = kDevices("--device", device);
         device = compare.devices.front()->name;
     }
     compare.common = asked.part.complete();
@@ -114,7 +114,8 @@ int compare_command(CompareChoice& asked) {
         fmt::print(stderr, "curvecore: interrupted: no configuration is finished\n");
         return 130;
     }
-    const CompareReport report{options, job.program, result, answers(options, job.program, result)};
+    CompareReport report{options, job.program, result, {}};
+    if (!result.interrupted) report.answers = answers(options, job.program, result);
     folder.write("compare.json", report.json().dump(1) + "\n");
     folder.write("compare.csv", report.csv());
     folder.write("report.html", report.html());
