@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 
 import curvecore
@@ -22,6 +23,31 @@ OPTIONS = ["--set", "Order=4", "--set", "CoefBits=24", "--set", "PositionBits=29
 
 def planned():
     return curvecore.plan(PART, set=SMALL, unit="10nm")
+
+
+def is_seen_halfway(call):
+    """Returns whether another thread runs while a call has a quarter to three quarters of its work
+    behind it, by the processor time of its own thread: the load of the machine does not count."""
+    done, seen_all = threading.Event(), threading.Event()
+
+    def work():
+        try:
+            call()
+        finally:
+            done.set()
+        seen_all.wait()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    clock = time.pthread_getcpuclockid(thread.ident)
+    seen = []
+    while not done.is_set():
+        seen.append(time.clock_gettime(clock))
+        time.sleep(1e-3)
+    whole = time.clock_gettime(clock)
+    seen_all.set()
+    thread.join()
+    return any(whole / 4 < one < whole * 3 / 4 for one in seen)
 
 
 class PythonTest(unittest.TestCase):
@@ -107,13 +133,9 @@ class PythonTest(unittest.TestCase):
             self.assertTrue(file.exists(), file)
 
     def test_other_threads_run_meanwhile(self):
-        part = planned()
-        turns = 0
-        drawing = threading.Thread(target=part.draw)
-        drawing.start()
-        while drawing.is_alive():
-            turns += 1
-        self.assertGreater(turns, 100)
+        part = curvecore.plan(PART, set=SMALL, unit="10nm", sample_period="10us")
+        self.assertTrue(is_seen_halfway(part.draw))
+        self.assertFalse(is_seen_halfway(lambda: sum(range(20_000_000))), "it keeps the others")
 
 
 if __name__ == "__main__":
