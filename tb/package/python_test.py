@@ -107,17 +107,23 @@ class PythonTest(unittest.TestCase):
         self.assertEqual(caught.exception.line, 3)
         self.assertNotIn("error:", caught.exception.reason)
         for options, reason in (({"unit": "10"}, "--unit"), ({"set": {"Order": 13}}, "Order"),
-                                ({"speed": 3}, "plan has no option '--speed'")):
+                                ({"speed": 3}, "plan has no option '--speed'"),
+                                ({"set": "Order=4"}, "set='Order=4': a dict is expected"),
+                                ({"set": {"Order": (4, 6)}}, "--set Order=4,6: "),
+                                ({"help": True}, "--help: curvecore COMMAND --help prints it"),
+                                ({"output": "out"}, "--output: the answer is returned")):
             with self.subTest(options=options):
                 with self.assertRaises(ValueError) as caught:
                     curvecore.plan(PART, **options)
                 self.assertIn(reason, str(caught.exception))
         with self.assertRaises(curvecore.InputError):
             curvecore.compare(bad)
+        with self.assertRaisesRegex(curvecore.InputError, "--output: the answer is returned"):
+            curvecore.compare(PART, output="out")
 
     def test_widths_are_compared_and_chosen(self):
         found = curvecore.compare(DATA / "lines.ngc", device="up5k",
-                                  set={"CoefBits": [24, 36], "Order": 6, "Mode": 0})
+                                  set={"CoefBits": (24, 36), "Order": [6], "Mode": 0})
         self.assertEqual(len(found["rows"]), 2)
         self.assertEqual(found["answers"][0]["core"]["device"], "up5k")
         answer = curvecore.choose(error="1um", radius="300mm", feed="10m/min", device="up5k")
@@ -131,6 +137,11 @@ class PythonTest(unittest.TestCase):
         self.assertGreater(len(files), 80)
         for file in files:
             self.assertTrue(file.exists(), file)
+
+    def test_flags_are_given_or_not(self):
+        for flag, given in ((True, ["--laser"]), (numpy.bool_(True), ["--laser"]),
+                            (False, []), (numpy.bool_(False), []), (None, [])):
+            self.assertEqual(curvecore._arguments({"laser": flag}), given, repr(flag))
 
     def test_other_threads_run_meanwhile(self):
         part = curvecore.plan(PART, set=SMALL, unit="10nm", sample_period="10us")

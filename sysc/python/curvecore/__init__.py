@@ -172,21 +172,38 @@ def _shipped():
     return installed if installed.exists() else FOLDER.parents[2]  # of sysc/python/curvecore
 
 
+_ELSEWHERE = {
+    "help": "curvecore COMMAND --help prints it",
+    "help_all": "curvecore COMMAND --help-all prints it",
+    "output": "the answer is returned, and no folder is written",
+}
+
+
 def _arguments(options):
     arguments = []
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
+        if name in _ELSEWHERE:
+            raise InputError(f"{option}: {_ELSEWHERE[name]}")
         if name == "set":
-            for parameter, number in value.items():
-                one = ",".join(map(str, number)) if isinstance(number, list) else number
-                arguments += [option, f"{parameter}={one}"]
-        elif value is True:
-            arguments.append(option)
+            arguments += _parameters(value)
+        elif isinstance(value, (bool, numpy.bool_)):
+            arguments += [option] if value else []
         elif isinstance(value, (list, tuple)):
             for one in value:
                 arguments += [option, os.fspath(one) if hasattr(one, "__fspath__") else str(one)]
-        elif value is not None and value is not False:
+        elif value is not None:
             arguments += [option, os.fspath(value) if hasattr(value, "__fspath__") else str(value)]
+    return arguments
+
+
+def _parameters(values):
+    if not isinstance(values, dict):
+        raise InputError(f"set={values!r}: a dict is expected, such as {{'Order': 4}}")
+    arguments = []
+    for name, value in values.items():
+        text = ",".join(map(str, value)) if isinstance(value, (list, tuple)) else value
+        arguments += ["--set", f"{name}={text}"]
     return arguments
 
 
