@@ -13,6 +13,7 @@
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/terminal/completion.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/widths/commands.hpp"
 #include "sysc/curvecore/commands.hpp"
@@ -25,8 +26,9 @@ int run(std::vector<std::string> arguments) {
     app.require_subcommand(1);
     begin_help(app);
     int status = 0;
-    for (const auto add : {add_run, add_plan, add_words, add_cam, add_join, add_compare, add_choose,
-                           add_stream, add_home, add_board, add_explore, add_curve}) {
+    for (const auto add :
+         {add_run, add_plan, add_words, add_cam, add_join, add_compare, add_choose, add_stream,
+          add_home, add_board, add_explore, add_curve, add_completion}) {
         add(app, status);
     }
     parse(app, std::move(arguments));

@@ -30,7 +30,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"UnknownCommand",
      {"draw", "part.ngc"},
      "curvecore: error: there is no command 'draw'; there are run, plan, words, cam, "
-     "join, compare, choose, stream, home, board, explore, curve"},
+     "join, compare, choose, stream, home, board, explore, curve, "
+     "completion"},
     {"NoFile", {"plan", "-o", "out"}, "curvecore: error: FILE is required"},
     {"OutputWithoutName",
      {"plan", "part.ngc", "-o"},

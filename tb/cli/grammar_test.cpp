@@ -101,6 +101,24 @@ TEST_F(Grammar, HelpHasExamplesAndHidesWhatIsRare) {
         << "a hidden option is one";
 }
 
+TEST_F(Grammar, AShellCompletesCommandsAndOptions) {
+    const ProgramRun shell("/bin/bash");
+    shell.write("completion", program_.run({"completion"}).out);
+    const auto completed = [&shell](const std::string& words) {
+        return shell
+            .run({"-c", ". ./completion; COMP_WORDS=(" + words +
+                            "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _curvecore; "
+                            "echo ${COMPREPLY[@]}"})
+            .out;
+    };
+    EXPECT_EQ(completed("curvecore com"), "compare completion\n");
+    EXPECT_EQ(completed("curvecore help ho"), "home\n");
+    EXPECT_EQ(completed("curvecore plan --sample-p"), "--sample-period\n");
+    EXPECT_EQ(completed("curvecore run --trace-c"), "--trace-clocks\n") << "a hidden option is one";
+    EXPECT_EQ(completed("curvecore choose --trace-c"), "\n");
+    EXPECT_EQ(completed("curvecore run par"), "\n") << "names of files are the shell's own";
+}
+
 TEST_F(Grammar, AnyLengthIsAUnit) {
     EXPECT_EQ(plan({"--unit", "2.5um"})["unit_mm"], 2.5e-3);
     EXPECT_EQ(plan({"--unit", "1/65536in"})["unit_mm"], 25.4 / 65536);

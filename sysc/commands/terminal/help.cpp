@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kHelpAll = "--help-all";
 
-/// Three examples of each command, as a user would type them.
+/// Examples of each command, as a user would type them.
 const std::map<std::string, std::vector<const char*>> kExamples{
     {"run",
      {"part.ngc -o out", "part.ngc --build serial --device ecp5-25 -o small",
@@ -46,6 +46,7 @@ const std::map<std::string, std::vector<const char*>> kExamples{
       "--machine mill.ini --to serial:/dev/ttyUSB0@1000000 --axes z",
       "--machine mill.ini --to udp:127.0.0.1 -q"}},
     {"board", {"--fast", "--listen 127.0.0.1:27181 -o board", "--home x=-9000..-300,z=400..9000"}},
+    {"completion", {">~/.curvecore.bash; . ~/.curvecore.bash"}},
     {"explore",
      {"part.ngc -o queues", "part.ngc --host 1ms,5ms --word 2us,500us -o uart",
       "part.ngc --segment-queue 512,1024 --profile-queue 256,512 -o short"}},
