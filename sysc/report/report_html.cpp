@@ -76,7 +76,9 @@ nlohmann::ordered_json kinds_of(const ref::Events& events) {
     return rows;
 }
 
-std::string data(const Report& report, const Pictures& pictures) {
+}  // namespace
+
+std::string report_data(const Report& report, const Pictures& pictures) {
     const Job& job = report.job;
     nlohmann::ordered_json head;
     head["title"] = std::filesystem::path(job.options.file).filename().string();
@@ -146,10 +148,8 @@ std::string data(const Report& report, const Pictures& pictures) {
     return text + fmt::to_string(rest) + "}";
 }
 
-}  // namespace
-
 std::string report_html(const Report& report, const Pictures& pictures) {
-    return html_page(kReportTemplate, data(report, pictures));
+    return html_page(kReportTemplate, report_data(report, pictures));
 }
 
 }  // namespace curvecore::sysc

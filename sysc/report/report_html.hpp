@@ -8,6 +8,9 @@
 
 namespace curvecore::sysc {
 
+/// Data of the page, as JSON.
+std::string report_data(const Report& report, const Pictures& pictures);
+
 std::string report_html(const Report& report, const Pictures& pictures);
 
 }  // namespace curvecore::sysc

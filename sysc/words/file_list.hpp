@@ -2,6 +2,17 @@
 // A list that grows to any length in little memory: a file without a name, mapped.
 #pragma once
 
+#ifdef __EMSCRIPTEN__
+
+#include "sysc/words/memory_list.hpp"
+
+namespace curvecore::sysc {
+template <class T>
+using FileList = MemoryList<T>;
+}  // namespace curvecore::sysc
+
+#else
+
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -123,3 +134,5 @@ class FileList {
 };
 
 }  // namespace curvecore::sysc
+
+#endif
