@@ -4,16 +4,17 @@
 # Debian packages with apt, Python packages into .venv.  Says what it does; does nothing (in a
 # fraction of a second) when everything is there.  Made for Debian 12.
 #
-#   scripts/setup.sh [run]     run: what builds the program and runs a part, no more
+#   scripts/setup.sh [run|site]     run: what builds the program and runs a part, no more;
+#                                   site: what scripts/site.sh needs besides that
 set -euo pipefail
 case ${1:-} in
-  "" | run) ;;
+  "" | run | site) ;;
   -h | --help)
-    sed -n '3,7s/^# \{0,1\}//p' "$0"
+    sed -n '3,8s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
   *)
-    echo "setup: '$1' is not known: run, or nothing for all" >&2
+    echo "setup: '$1' is not known: run, site, or nothing for all" >&2
     exit 2
     ;;
 esac
@@ -76,23 +77,27 @@ install_debian_packages() {
     apt-get install -y -qq --no-install-recommends "${wanted[@]}" >/dev/null
 }
 
+# Installs the Python packages named into a virtual environment.
 install_python_packages() {
-  local stamp=.venv/curvecore-packages
-  local wanted
-  wanted=$(printf '%s\n' $PIP_PACKAGES)
-  [ -x .venv/bin/python ] && [ "$wanted" = "$(cat $stamp 2>/dev/null)" ] && return 0
-  say "Python packages into .venv (the YoWASP tools are large: a minute or so)"
-  [ -x .venv/bin/python ] || python3 -m venv .venv
+  local venv=$1 wanted stamp=$1/curvecore-packages
+  shift
+  wanted=$(printf '%s\n' "$@")
+  [ -x "$venv/bin/python" ] && [ "$wanted" = "$(cat "$stamp" 2>/dev/null)" ] && return 0
+  say "Python packages into $venv (the YoWASP tools in .venv are large: a minute or so)"
+  [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
   # --no-deps: the list is complete, and of hls4ml only the headers in it are used
-  .venv/bin/pip install --quiet --disable-pip-version-check --no-deps -r <(echo "$wanted")
-  echo "$wanted" >$stamp
+  "$venv/bin/pip" install --quiet --disable-pip-version-check --no-deps -r <(echo "$wanted")
+  echo "$wanted" >"$stamp"
 }
 
 [ "$(. /etc/os-release && echo "$ID-${VERSION_ID:-}")" = debian-12 ] ||
   say "warning: this is not Debian 12; going on as if it were"
 if [ "$only" = run ]; then
   install_debian_packages $APT_PACKAGES_RUN
+elif [ "$only" = site ]; then
+  install_debian_packages $APT_PACKAGES_RUN $APT_PACKAGES_SITE
+  install_python_packages build/site/venv $PIP_PACKAGES_SITE
 else
   install_debian_packages $APT_PACKAGES_RUN $APT_PACKAGES_TEST
-  install_python_packages
+  install_python_packages .venv $PIP_PACKAGES
 fi

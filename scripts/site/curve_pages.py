@@ -15,7 +15,7 @@ WIDTH, HEIGHT, EDGE = 640, 360, 16  # px
 
 
 def asked(program, *arguments):
-    """What the program prints; its refusal is an error of the site."""
+    """Text that the program prints; its refusal is an error of the site."""
     return subprocess.run([program, "curve", *arguments], capture_output=True, text=True,
                           check=True, cwd=ROOT).stdout
 
@@ -65,8 +65,8 @@ def curve_page(docs, program, name, example):
         text += [picture(points, f"{title}, {example['length']} of it"),
                  "Drawn by the bit-true kernel of this tree:",
                  "```sh\nbuild/curvecore curve run " + " ".join(command) + f" -o {name}\n```",
-                 "Its worst error before positions are rounded is {:.3g} units of 100 nm, the derived "
-                 "bound {:.3g}.".format(kind["unrounded_max_lsb"], kind["bound_lsb"])]
+                 "Its worst error before positions are rounded is {:.3g} units of 100 nm, the "
+                 "derived bound {:.3g}.".format(kind["unrounded_max_lsb"], kind["bound_lsb"])]
     text += ["## Rows", "What its rows are, as words of the engine, and which orders of each are "
              "needed:", f"```text\n{asked(program, 'check', path).rstrip()}\n```",
              "## Table", f"```text\n{table.rstrip()}\n```"]

@@ -72,7 +72,7 @@ class Docs:
         self.written = set()
 
     def place(self, path):
-        """Where the site has a file or folder of the tree; None: nowhere."""
+        """The page that the site has for a file or folder of the tree; None: there is none."""
         path = path.rstrip("/")
         if path in self.folders:
             if f"{path}/README.md" in self.files:

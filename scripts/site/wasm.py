@@ -50,7 +50,8 @@ def made_headers(folder):
         write(folder / template.removesuffix(".in"), text)
 
     for data in ("cost_model", "placed_boards"):
-        fill(f"sysc/cost/{data}_data.hpp.in", **{data: (ROOT / f"sysc/cost/{data}.json").read_text()})
+        text = (ROOT / f"sysc/cost/{data}.json").read_text()
+        fill(f"sysc/cost/{data}_data.hpp.in", **{data: text})
     style = (ROOT / "sysc/report/page.css").read_text()
     page = (ROOT / "sysc/report/report.html").read_text().replace("@page_style@", style)
     fill("sysc/report/report_template.hpp.in", page=page)
