@@ -3,6 +3,7 @@
 timing, parameters, ports, and sizes from the page of what was placed."""
 
 import html
+import itertools
 import re
 
 import waves
@@ -38,9 +39,9 @@ class Header:
                 self.groups.append((line.strip()[2:].strip(), []))
 
     def purpose(self):
-        """The comment's first sentences, up to an empty line."""
-        text = "\n".join(self.comment).split("\n\n")[0]
-        return " ".join(text.split("\n"))
+        """The comment's first sentences, up to an empty line or a drawing."""
+        lines = itertools.takewhile(lambda line: line and line[0] != " ", self.comment)
+        return " ".join(lines)
 
 
 def escaped(text):
@@ -61,7 +62,6 @@ def contract(header):
             out.append("```text\n" + "\n".join(rest).rstrip() + "\n```")
         rest.clear()
 
-    pictures = {id(table[0]): (len(table), waves.svg(table)) for table in waves.tables(lines)}
     starts = {}
     for table in waves.tables(lines):
         for n in range(len(lines) - len(table) + 1):
@@ -131,7 +131,7 @@ def core_page(docs, path):
     header = Header(path)
     page = f"cores/{header.name}.md"
     source = docs.place(path)
-    text = [f"# {header.name}", header.purpose(), f"Source: [{path}](../{source})", "## Contract",
+    text = [f"# {header.name}", escaped(header.purpose()), f"Source: [{path}](../{source})", "## Contract",
             contract(header)]
     if header.parameters:
         text += ["## Parameters", parameters(header)]

@@ -105,7 +105,7 @@ class Docs:
                 raise ValueError(f"{page}: the tree has no {name}, seen from {base or 'its top'}")
             return f"{head}{posixpath.relpath(place, posixpath.dirname(page) or '.')}{anchor})"
 
-        parts = re.split(r"(^ *```.*?^ *```|`[^`\n]+`(?!\]))", text, flags=re.S | re.M)
+        parts = re.split(r"(^ *```.*?^ *```)", text, flags=re.S | re.M)
         return "".join(part if n % 2 else LINK.sub(link, part) for n, part in enumerate(parts))
 
     def write(self, page, text):

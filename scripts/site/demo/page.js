@@ -6,8 +6,8 @@ const byId = (id) => document.getElementById(id);
 const workerSource = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
 let worker = null, turn = 0, shown = null, timer = 0;
 
-/// Limit of a segment's bound in units, for words that wide: CoefBits of 30 keep 0.1.
-const errorLimit = (bits) => 0.1 * 2 ** Math.max(0, 30 - bits);
+/// Error that words so wide are planned for, nm: before rounding 0.1 with 30 bits, and half a unit.
+const errorOf = (bits) => 0.5 + 0.1 * 2 ** Math.max(0, 30 - bits);
 
 function say(text, wrong) {
   byId("status").textContent = text;
@@ -127,7 +127,7 @@ function ask() {
   say("Planning and drawing ..");
   const bits = +byId("bits").value, unit = "1nm";
   const options = `--on kernel --unit ${unit} --set Order=${byId("order").value} --set ` +
-    `CoefBits=${bits} --error-limit ${errorLimit(bits)}nm --holds ${byId("holds").value} ` +
+    `CoefBits=${bits} --error ${errorOf(bits)}nm --holds ${byId("holds").value} ` +
     `--sample-period ${byId("period").value}`;
   worker.postMessage({ turn: ++turn, name: "part.ngc", text: byId("text").value, options });
 }
