@@ -131,8 +131,8 @@ def core_page(docs, path):
     header = Header(path)
     page = f"cores/{header.name}.md"
     source = docs.place(path)
-    text = [f"# {header.name}", escaped(header.purpose()), f"Source: [{path}](../{source})", "## Contract",
-            contract(header)]
+    text = [f"# {header.name}", escaped(header.purpose()), f"Source: [{path}](../{source})",
+            "## Contract", contract(header)]
     if header.parameters:
         text += ["## Parameters", parameters(header)]
     text += ["## Ports", ports(header)]
