@@ -44,22 +44,30 @@ class ChordWriter {
 
     /// Adds the chord from one place of a curve to another.
     void add(const ref::PathCurve& curve, double from, double to) {
-        const ref::Vec3 end = curve.position(to) * unit_mm_;
+        const ref::Vec3 end = place(curve, to);
         const ref::Vec3 start = chords_.corners.back();
         const ref::Vec3 along = (end - start).normalized();
+        double most = 0;
         for (int i = 1; i < kLooks; ++i) {
-            const ref::Vec3 place = curve.position(from + (to - from) * i / kLooks) * unit_mm_;
-            const ref::Vec3 arm = place - start;
-            const double off = (arm - along * arm.dot(along)).norm();
-            if (off > chords_.off_mm) {
-                chords_.off_mm = off;
-                chords_.worst = place;
+            const ref::Vec3 arm = place(curve, from + (to - from) * i / kLooks) - start;
+            most = std::max(most, (arm - along * arm.dot(along)).norm());
+        }
+        if (most > chords_.off_mm) {
+            chords_.off_mm = most;
+            chords_.worst = chords_.count();
+            chords_.beside.clear();
+            for (int i = 0; i <= kPlaces; ++i) {
+                chords_.beside.push_back(place(curve, from + (to - from) * i / kPlaces));
             }
         }
         chords_.corners.push_back(end);
     }
 
   private:
+    ref::Vec3 place(const ref::PathCurve& curve, double s) const {
+        return curve.position(s) * unit_mm_;
+    }
+
     double unit_mm_;
     Chords& chords_;
 };

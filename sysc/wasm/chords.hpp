@@ -13,10 +13,11 @@ namespace curvecore::sysc {
 constexpr std::size_t kChordBits = 128;
 
 struct Chords {
-    std::size_t bits = 0;                 // of the plan: segments and profile
-    std::vector<ref::Vec3> corners;       // mm; the first is the path's start
-    double off_mm = 0;                    // of the curves from their chords, at most
-    ref::Vec3 worst = ref::Vec3::Zero();  // place on the path, mm, that is off the most
+    std::size_t bits = 0;            // of the plan: segments and profile
+    std::vector<ref::Vec3> corners;  // mm; the first is the path's start
+    double off_mm = 0;               // of the curves from their chords, at most
+    std::size_t worst = 0;           // chord that is off the most
+    std::vector<ref::Vec3> beside;   // the path along that chord, mm
 
     std::size_t count() const { return corners.size() - 1; }
 };

@@ -52,7 +52,8 @@ nlohmann::ordered_json traffic_json(const Job& job) {
     json["chord_bits"] = kChordBits;
     json["chords"] = chords.count();
     json["chords_off_mm"] = chords.off_mm;
-    json["worst_chord"] = point(chords.worst);
+    json["worst_chord"] = chords.worst;
+    for (const ref::Vec3& place : chords.beside) json["beside"].push_back(point(place));
     for (const ref::Vec3& corner : chords.corners) json["corners"].push_back(point(corner));
     return json;
 }

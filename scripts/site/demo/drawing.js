@@ -25,14 +25,16 @@ function steps(low, high) {
   return found;
 }
 
-/// Where the path is looked at: a centre in mm, and pixels a mm; scale 0: the whole part.
-const HOME = { x: 0, y: 0, scale: 0 };
+/// Where the path is looked at: axes to the right and up, a centre in mm, and pixels a mm; scale 0:
+/// the whole part.
+const HOME = { axes: [0, 1], x: 0, y: 0, scale: 0 };
 const view = { ...HOME };
 
 function boxOf(data) {
   const span = (values) => values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)],
                                          [Infinity, -Infinity]);
-  return { x: span(data.x), y: span(data.y) };
+  const [right, up] = view.axes.map((axis) => data["xyz"[axis]]);
+  return { x: span(right), y: span(up) };
 }
 
 function homeOf(data, w, h) {
@@ -68,21 +70,25 @@ function drawPath(canvas, data) {
   if (view.scale === 0) Object.assign(view, homeOf(data, w, h));
   drawGrid(g, w, h, view);
   const place = (x, y) => [w / 2 + (x - view.x) * view.scale, h / 2 - (y - view.y) * view.scale];
-  const corners = data.traffic.corners;
+  const corners = data.traffic.corners, [right, up] = view.axes;
+  const across = data["xyz"[right]], upward = data["xyz"[up]], beside = data.traffic.beside || [];
   g.lineWidth = 1.8;
   g.lineJoin = "round";
   g.strokeStyle = colour("--path");
-  drawLine(g, data.x.length, (n) => place(data.x[n], data.y[n]));
+  drawLine(g, data.x.length, (n) => place(across[n], upward[n]));
   const near = view.scale > 3 * homeOf(data, w, h).scale;
   if (near) {
     g.lineWidth = 1.4;
     g.strokeStyle = g.fillStyle = colour("--chord");
-    drawLine(g, corners.length, (n) => place(corners[n][0], corners[n][1]));
-    for (const [x, y] of corners) {
-      const [px, py] = place(x, y);
+    drawLine(g, corners.length, (n) => place(corners[n][right], corners[n][up]));
+    for (const corner of corners) {
+      const [px, py] = place(corner[right], corner[up]);
       if (px > -5 && px < w + 5 && py > -5 && py < h + 5) g.fillRect(px - 2.5, py - 2.5, 5, 5);
     }
   }
+  g.strokeStyle = colour("--path");  // the path's own points are too far apart where a chord is near
+  g.lineWidth = 1.8;
+  if (near) drawLine(g, beside.length, (n) => place(beside[n][right], beside[n][up]));
   const bar = steps(0, 120 / view.scale).filter((v) => v * view.scale < 120).pop() || 0;
   g.strokeStyle = g.fillStyle = colour("--ink");
   g.lineWidth = 2;

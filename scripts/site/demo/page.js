@@ -72,7 +72,8 @@ function showCharts(data) {
 
 function drawView() {
   if (!shown) return;
-  const near = drawPath(byId("path"), shown.data);
+  const near = drawPath(byId("path"), shown.data), letters = view.axes.map((axis) => "XYZ"[axis]);
+  byId("viewTitle").textContent = "Path, " + letters.join(" ");
   byId("scale").textContent = near ? "" : "(zoom in to tell them apart)";
 }
 
@@ -145,12 +146,17 @@ function zoom(factor) {
   drawView();
 }
 
-/// Shows the chord that is off the most, its distance some 40 px.
+/// Shows the chord that is off the most, its distance some 30 px, from where that is seen best.
 function showWorst() {
-  if (!shown) return;
-  const traffic = shown.data.traffic, [x, y] = traffic.worst_chord;
-  const off = Math.max(traffic.chords_off_mm, 1e-6);
-  Object.assign(view, { x, y, scale: 12 / off });
+  const traffic = shown && shown.data.traffic;
+  if (!traffic || !traffic.beside) return;
+  const { corners, worst_chord: n, beside } = traffic, place = beside[beside.length >> 1];
+  const off = place.map((v, axis) => Math.abs(v - (corners[n][axis] + corners[n + 1][axis]) / 2));
+  const flat = off.map((v, axis) => [Math.abs(corners[n + 1][axis] - corners[n][axis]) + v, axis])
+    .sort((a, b) => a[0] - b[0])[0][1];
+  const axes = [0, 1, 2].filter((axis) => axis !== flat);
+  Object.assign(view, { axes, x: place[axes[0]], y: place[axes[1]],
+                        scale: 30 / Math.max(traffic.chords_off_mm, 1e-6) });
   drawView();
 }
 
