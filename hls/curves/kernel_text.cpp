@@ -283,14 +283,13 @@ class Writer {
                 axes = true;
             }
             if (line.of_axis && section != "order" && all.count(line.row) > 0) {
-                ref::Place{table_.file, line.number}.refuse(
-                    "a kernel of C++ makes " + line.row +
-                    "[k] axis by axis: what it takes of all axes is made in a row of its own");
+                line_.refuse(line, "makes " + line.row +
+                                       "[k] axis by axis: what it takes of all axes is made in a "
+                                       "row of its own");
             }
             if (section == "sample" && names_.member(line.row)) {
-                ref::Place{table_.file, line.number}.refuse(
-                    "a kernel of C++ makes what `sample` makes there alone: " + line.row +
-                    " is made or read elsewhere, too");
+                line_.refuse(line, "makes what `sample` makes there alone: " + line.row +
+                                       " is made or read elsewhere, too");
             }
             made.insert(line.row);
             read.insert(all.begin(), all.end());

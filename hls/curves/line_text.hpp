@@ -23,6 +23,8 @@ class LineText {
     /// The statement; `order`: of the section, for order i.
     /// @throws ref::InputError: there is none
     std::string statement(const ref::TableLine& line, bool order) const;
+    /// @throws ref::InputError: what a kernel of C++ does not do, at the line
+    [[noreturn]] void refuse(const ref::TableLine& line, const std::string& reason) const;
 
   private:
     /// A part of a line's sum, with fraction bits beyond CoefBits or, of a product, beyond twice
@@ -44,7 +46,6 @@ class LineText {
     std::string meeting(const ref::TableTerm& term, const std::string& axis) const;
     std::string sum_of(const std::vector<Part>& parts, bool products, int most) const;
     std::string rounded(const std::vector<Part>& parts, const ref::TableLine& line) const;
-    [[noreturn]] void refuse(const ref::TableLine& line, const std::string& reason) const;
 
     const ref::CurveTable& table_;
     const RowNames& names_;

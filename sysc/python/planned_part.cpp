@@ -4,31 +4,11 @@
 #include "sysc/board/feeder.hpp"
 #include "sysc/board/kernel_board.hpp"
 #include "sysc/commands/options/part_options.hpp"
-#include "sysc/commands/terminal/help.hpp"
 #include "sysc/words/path_source.hpp"
 
 namespace curvecore::sysc {
-namespace {
-
-Options read_options(std::vector<std::string> arguments) {
-    CLI::App app;
-    app.require_subcommand(1);
-    begin_help(app);
-    PartOptions part;
-    Options options;
-    CLI::App& plan = *app.add_subcommand("plan", "");
-    add_common(plan, part);
-    plan.callback([&] { options = part.complete(); });
-    arguments.insert(arguments.begin(), "plan");
-    parse(app, std::move(arguments));
-    options.quiet = true;
-    return options;
-}
-
-}  // namespace
-
 PlannedPart::PlannedPart(const std::vector<std::string>& arguments)
-    : job_(plan_job(read_options(arguments))) {}
+    : job_(plan_job(read_part_options(arguments))) {}
 
 std::vector<std::uint64_t> PlannedPart::segment_words() const {
     SegmentWriter writer(job_.options.core, job_.digest());

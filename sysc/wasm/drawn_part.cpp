@@ -8,7 +8,6 @@
 #include "sysc/cli/html_page.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/options/part_options.hpp"
-#include "sysc/commands/terminal/help.hpp"
 #include "sysc/report/report_html.hpp"
 #include "sysc/wasm/chords.hpp"
 #include "sysc/watch/checker.hpp"
@@ -20,19 +19,11 @@ namespace {
 constexpr double kMostSamples = 3.6e6;
 
 Options read_options(std::vector<std::string> arguments) {
-    CLI::App app;
-    app.require_subcommand(1);
-    begin_help(app);
-    PartOptions part;
-    Options options;
-    CLI::App& plan = *app.add_subcommand("plan", "");
-    add_common(plan, part);
-    add_report(plan, part);
-    add_drawing(plan, part);
-    plan.callback([&] { options = part.complete(); });
-    arguments.insert(arguments.begin(), "plan");
-    parse(app, std::move(arguments));
-    options.quiet = true;
+    Options options =
+        read_part_options(std::move(arguments), [](CLI::App& plan, PartOptions& part) {
+            add_report(plan, part);
+            add_drawing(plan, part);
+        });
     options.threads = 1;
     return options;
 }

@@ -4,6 +4,7 @@
 It speaks Chromium's DevTools protocol over the pipe of --remote-debugging-pipe: messages of JSON
 that end in a zero byte, so no driver, socket or package is needed."""
 
+import argparse
 import base64
 import fcntl
 import json
@@ -12,9 +13,12 @@ import pathlib
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 
+OPTIONS = argparse.Namespace()  # of run_tests()
 TIMEOUT = 900  # s, for any one answer
 ENTER = {"key": "Enter", "code": "Enter", "windowsVirtualKeyCode": 13}
 
@@ -195,3 +199,13 @@ class Chromium:
         root = self.send("DOM.getDocument")["root"]["nodeId"]
         node = self.send("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
         self.send("DOM.setFileInputFiles", nodeId=node, files=[str(file)])
+
+
+def run_tests(description):
+    """Runs the tests of the script, with the options of its line in OPTIONS."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--program", type=pathlib.Path, required=True)
+    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
+    _, rest = parser.parse_known_args(namespace=OPTIONS)
+    OPTIONS.program = OPTIONS.program.resolve()
+    unittest.main("__main__", argv=[sys.argv[0], *rest], verbosity=2)

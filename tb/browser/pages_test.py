@@ -6,14 +6,12 @@ screen, no script fails, nothing comes from the network, and one cursor goes thr
     pages_test.py --program build/curvecore [--pictures FOLDER]
 """
 
-import argparse
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-from chromium import Chromium
+from chromium import OPTIONS, Chromium, run_tests
 
 DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 WIDTHS = (1280, 390)
@@ -28,7 +26,6 @@ PAGES = {
                 "explore.html"),
     "join": (["join", DATA / "pass_1.ngc", DATA / "pass_2.ngc", *QUICK], "join.html"),
 }
-OPTIONS = argparse.Namespace()
 
 
 class Pages(unittest.TestCase):
@@ -117,9 +114,4 @@ class Pages(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", type=pathlib.Path, required=True)
-    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
-    OPTIONS, rest = parser.parse_known_args()
-    OPTIONS.program = OPTIONS.program.resolve()
-    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)
+    run_tests(__doc__.split("\n")[0])

@@ -6,19 +6,16 @@ they show what it says, buttons are obeyed, and who has no token, or comes from 
     panel_test.py --program build/curvecore [--pictures FOLDER]
 """
 
-import argparse
 import pathlib
 import re
 import signal
 import socket
 import subprocess
-import sys
 import tempfile
 import unittest
 
-from chromium import Chromium
+from chromium import OPTIONS, Chromium, run_tests
 
-OPTIONS = argparse.Namespace()
 STEPS_PER_MM = 400
 FEED = 600  # mm/min
 WAY = 100  # mm of a move
@@ -260,9 +257,4 @@ class Panel(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", type=pathlib.Path, required=True)
-    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
-    OPTIONS, rest = parser.parse_known_args()
-    OPTIONS.program = OPTIONS.program.resolve()
-    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)
+    run_tests(__doc__.split("\n")[0])

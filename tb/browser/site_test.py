@@ -6,16 +6,14 @@ on a desk and on a phone.
     site_test.py --program build/curvecore [--pictures FOLDER]
 """
 
-import argparse
 import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
-from chromium import Chromium
+from chromium import OPTIONS, Chromium, run_tests
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "tb/data"
@@ -23,7 +21,6 @@ SITE = ROOT / "build/site"
 WIDTHS = (1280, 390)
 QUICK = ["--on", "kernel", "--holds", "bounds"]
 WAIT = 120  # s, for a part in the browser
-OPTIONS = argparse.Namespace()
 
 
 def positions(file):
@@ -140,9 +137,4 @@ class Site(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--program", type=pathlib.Path, required=True)
-    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
-    OPTIONS, rest = parser.parse_known_args()
-    OPTIONS.program = OPTIONS.program.resolve()
-    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)
+    run_tests(__doc__.split("\n")[0])

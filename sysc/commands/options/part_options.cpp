@@ -332,4 +332,21 @@ void add_drawing(CLI::App& command, PartOptions& part) {
         ->group(group::kRare);
 }
 
+Options read_part_options(std::vector<std::string> arguments,
+                          const std::function<void(CLI::App&, PartOptions&)>& more) {
+    CLI::App app;
+    app.require_subcommand(1);
+    begin_help(app);
+    PartOptions part;
+    Options options;
+    CLI::App& plan = *app.add_subcommand("plan", "");
+    add_common(plan, part);
+    if (more) more(plan, part);
+    plan.callback([&] { options = part.complete(); });
+    arguments.insert(arguments.begin(), "plan");
+    parse(app, std::move(arguments));
+    options.quiet = true;
+    return options;
+}
+
 }  // namespace curvecore::sysc

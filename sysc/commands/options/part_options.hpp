@@ -2,6 +2,8 @@
 // Options of a part, of its plan and of its run, which commands share.
 #pragma once
 
+#include <functional>
+
 #include "sysc/commands/options/core_options.hpp"
 
 namespace curvecore::sysc {
@@ -42,5 +44,11 @@ void add_common(CLI::App& command, PartOptions& part, const TimedValues& values 
 void add_report(CLI::App& command, PartOptions& part);
 /// Adds the options of `run`, and of commands that end with a run.
 void add_drawing(CLI::App& command, PartOptions& part);
+
+/// Reads FILE and options as `plan` takes them, for who calls without a command line; `more` adds
+/// further ones. The options are quiet.
+/// @throws UsageError, ref::InputError, as a command does
+Options read_part_options(std::vector<std::string> arguments,
+                          const std::function<void(CLI::App&, PartOptions&)>& more = nullptr);
 
 }  // namespace curvecore::sysc
