@@ -4,7 +4,7 @@
 //
 // Kernels are templates on such a format C, which they inherit: C::kOrder is a constant of the type
 // here, or a value of the object where widths are known at run time only (RunTimeFormat,
-// sysc/core/run_time_format.hpp). A format has
+// sysc/kernel/run_time_format.hpp). A format has
 //
 //     Coef, Fine, Position, FineParameter, Product
 //                                          types of words; Product holds a sum of 13 products

@@ -10,7 +10,7 @@
 #include "ref/format/queues.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/core/core_parameters.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 

@@ -15,7 +15,7 @@ foreach(library ref hls host assembler)
   install(TARGETS curvecore_${library} EXPORT curvecore COMPONENT libraries
           INCLUDES DESTINATION ${headers})
 endforeach()
-foreach(folder ref hls sysc/cli sysc/core sysc/words sysc/job)
+foreach(folder ref hls sysc/cli sysc/core sysc/kernel sysc/words sysc/job)
   cmake_path(GET folder PARENT_PATH parent)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers}/${parent}
           COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def

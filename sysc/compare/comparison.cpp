@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "hls/quantise.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "ref/curve/vec3.hpp"
 #include "ref/curves/curve_table.hpp"
-#include "ref/curves/derive_table.hpp"
+#include "ref/curves/derive/derive_table.hpp"
 #include "ref/moves/move.hpp"
 #include "sysc/commands/options/part_options.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sysc/core/run_time_format.hpp"
 #include "sysc/curves/error_figures.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::sysc {
 

@@ -7,7 +7,7 @@
 
 #include "hls/quantise.hpp"
 #include "ref/text/input_error.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 

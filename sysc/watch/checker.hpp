@@ -7,8 +7,8 @@
 
 #include "ref/plan/curve_follower.hpp"
 #include "sysc/board/board.hpp"
-#include "sysc/core/run_time_kernel.hpp"
 #include "sysc/job/job.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "sysc/watch/check_result.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/watch/pictures.hpp"

@@ -8,7 +8,7 @@
 
 #include "hls/word_check.hpp"
 #include "ref/plan/segment.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::sysc {
 

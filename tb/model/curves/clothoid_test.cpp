@@ -11,7 +11,7 @@
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "sysc/core/core_parameters.hpp"
-#include "sysc/core/table_words.hpp"
+#include "sysc/kernel/table_words.hpp"
 
 namespace curvecore::tb::clothoid_test {
 

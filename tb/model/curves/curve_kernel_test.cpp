@@ -17,7 +17,7 @@
 #include "hls/quantise.hpp"
 #include "ref/text/input_error.hpp"
 #include "shapes.hpp"
-#include "sysc/core/table_kernel.hpp"
+#include "sysc/kernel/table_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 #include "tb/support/programs/long_form.hpp"

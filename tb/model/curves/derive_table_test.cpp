@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Formulas: what they are read as, their derivatives, and the tables that are derived of them,
 // which draw the formula's curve at constant path speed.
-#include "ref/curves/derive_table.hpp"
+#include "ref/curves/derive/derive_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include "ref/curves/table_reader.hpp"
 #include "ref/segment/table_segment.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb::derive_table_test {

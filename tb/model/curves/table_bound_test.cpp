@@ -16,8 +16,8 @@
 #include "ref/format/path_words.hpp"
 #include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
-#include "sysc/core/table_words.hpp"
 #include "sysc/curves/spline_families.hpp"
+#include "sysc/kernel/table_words.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb::table_bound_test {

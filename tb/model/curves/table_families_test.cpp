@@ -8,7 +8,7 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/drawn/table_curve.hpp"
 #include "ref/segment/table_segment.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 #include "tb/support/microcode/table_comparison.hpp"
 

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "ref/text/input_error.hpp"
-#include "sysc/core/table_kernel.hpp"
+#include "sysc/kernel/table_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 

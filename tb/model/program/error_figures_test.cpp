@@ -8,9 +8,9 @@
 
 #include "ref/geometry/geometry.hpp"
 #include "ref/plan/curve_follower.hpp"
-#include "sysc/core/value_ranges.hpp"
 #include "sysc/curves/built_in_curves.hpp"
 #include "sysc/curves/exact_samples.hpp"
+#include "sysc/kernel/value_ranges.hpp"
 
 namespace curvecore::tb::error_figures_test {
 using namespace sysc;

@@ -4,7 +4,7 @@
 // edges of every parameter.
 #include <gtest/gtest.h>
 
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/segments/parameters_of.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 #include "tb/support/bench/core_configuration.hpp"
 
 namespace curvecore::tb {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sysc/core/core_clocks.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/curve_ports.hpp"
 #include "tb/support/bench/sample_campaign.hpp"

@@ -15,7 +15,7 @@
 #include "hls/time_scaler.hpp"
 #include "hls/word_check.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/motion_ports.hpp"
 #include "tb/support/segments/mixed_segments.hpp"

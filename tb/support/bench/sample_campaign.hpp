@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/curve_ports.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "ref/plan/segment.hpp"  // its kSpline before that of the figures: -Wshadow
 #include "rtl/serial/spline_program.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb {
 

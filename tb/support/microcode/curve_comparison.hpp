@@ -12,7 +12,7 @@
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
 #include "rtl/engine/compiler/table_lowering.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 #include "tb/support/microcode/microcode_machine.hpp"
 
 namespace curvecore::tb {

@@ -6,7 +6,7 @@
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "rtl/engine/compiler/follow_assembler.hpp"
-#include "sysc/core/run_time_kernel.hpp"
+#include "sysc/kernel/run_time_kernel.hpp"
 #include "tb/support/microcode/curve_comparison.hpp"
 
 namespace curvecore::tb {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "sysc/core/table_kernel.hpp"
+#include "sysc/kernel/table_kernel.hpp"
 #include "tb/support/microcode/microcode_configurations.hpp"
 
 namespace curvecore::tb {

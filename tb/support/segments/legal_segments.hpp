@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hls/word_check.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb {
 

@@ -9,8 +9,8 @@
 
 #include "hls/quantise.hpp"
 #include "ref/segment/spline_segment.hpp"
-#include "sysc/core/run_time_format.hpp"
 #include "sysc/curves/spline_families.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb {
 

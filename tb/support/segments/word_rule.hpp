@@ -10,7 +10,7 @@
 
 #include "hls/word_entry.hpp"
 #include "hls/word_ledger.hpp"
-#include "sysc/core/run_time_format.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb {
 

@@ -11,7 +11,7 @@
 
 namespace curvecore::ref {
 
-/// Lines of the table of a formula's curve: ref/curves/derive_table.hpp has its rows mu, phi, e1 ..
+/// Lines of a formula's table: ref/curves/derive/derive_table.hpp has its rows mu, phi, e1 ..
 class TableText {
   public:
     void line(const std::string& section, const std::string& row, const std::string& terms) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/curves/formula.hpp"
+#include "ref/curves/derive/formula.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "sysc/core/table_kernel.hpp"
+#include "sysc/kernel/table_kernel.hpp"
 
 namespace curvecore::sysc {
 

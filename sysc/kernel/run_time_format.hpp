@@ -9,7 +9,7 @@
 #include "ref/curves/curve_table.hpp"
 #include "ref/moves/move.hpp"
 #include "sysc/core/core_parameters.hpp"
-#include "sysc/core/value_ranges.hpp"
+#include "sysc/kernel/value_ranges.hpp"
 
 namespace curvecore::sysc {
 

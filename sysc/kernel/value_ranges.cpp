@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/core/value_ranges.hpp"
+#include "sysc/kernel/value_ranges.hpp"
 
 namespace curvecore::sysc {
 

@@ -6,8 +6,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "ref/curves/table_machine.hpp"
-#include "sysc/core/run_time_format.hpp"
-#include "sysc/core/table_words.hpp"
+#include "sysc/kernel/run_time_format.hpp"
+#include "sysc/kernel/table_words.hpp"
 
 namespace curvecore::sysc {
 

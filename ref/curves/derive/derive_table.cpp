@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/curves/derive_table.hpp"
+#include "ref/curves/derive/derive_table.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <set>
 
+#include "ref/curves/derive/table_text.hpp"
 #include "ref/curves/table_machine.hpp"
 #include "ref/curves/table_reader.hpp"
-#include "ref/curves/table_text.hpp"
 
 namespace curvecore::ref {
 namespace {

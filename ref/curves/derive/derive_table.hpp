@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "ref/curves/formula.hpp"
+#include "ref/curves/derive/formula.hpp"
 
 namespace curvecore::ref {
 
