@@ -10,18 +10,26 @@
 //                                          types of words; Product holds a sum of 13 products
 //     kMostOrder, kMostAxes                constants, for arrays
 //     Further, kFurtherWords               words of a table alone (hls/words.hpp): mostly none
-//     keep(variable, order, value)         called for every word of a network: the value as the
-//                                          word keeps it
+//     note_rows(curve, rows)               called by the kernel of a table, once
+//     keep(row, order, value)              called for every word that a step makes: the value as
+//                                          the word keeps it
 #pragma once
 
 #include "hls/fixed_word.hpp"
-#include "hls/variables.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/path_words.hpp"
 
 namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
+
+constexpr int kMostOrder = 12;  // largest of any configuration
+
+/// A row of a table: its words have CoefBits and so many fraction bits.
+struct WordRow {
+    const char* name;
+    int fraction;
+};
 
 /// Further words of a segment that has none.
 struct NoFurther {};
@@ -70,7 +78,8 @@ struct Configuration {
     using FineParameter = Word<CoefBits + ParameterGuard>;
     using Product = Word<2 * CoefBits + 4>;
 
-    static Coef keep(Variable /*variable*/, int /*order*/, const Coef& value) { return value; }
+    static void note_rows(const char* /*curve*/, const WordRow* /*rows*/) {}
+    static Coef keep(int /*row*/, int /*order*/, const Coef& value) { return value; }
 };
 
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;

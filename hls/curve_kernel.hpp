@@ -3,8 +3,8 @@
 // Twin: rtl/curve_interpolator.sv.
 #pragma once
 
+#include "hls/curves/spline.hpp"
 #include "hls/interpolator_kernel.hpp"
-#include "hls/spline_kernel.hpp"
 
 namespace curvecore {
 namespace hls {
@@ -14,23 +14,23 @@ template <class C>
 class CurveKernel {
   public:
     CurveKernel() = default;
-    explicit CurveKernel(const C& format) : spherical_(format), spline_(format) {}
+    explicit CurveKernel(const C& format) : arc_(format), spline_(format) {}
 
     void load(const SegmentWords<C>& segment) {
         spline_now_ = segment.kind == SegmentKind::kSpline;
-        spline_now_ ? spline_.load(segment) : spherical_.load(segment);
+        spline_now_ ? spline_.load(segment) : arc_.load(segment);
     }
 
-    void step() { spline_now_ ? spline_.step() : spherical_.step(); }
+    void step() { spline_now_ ? spline_.step() : arc_.step(); }
 
     void sample(const Word<kLengthBits + 1>& sigma, typename C::Fine* out) const {
-        spline_now_ ? spline_.sample(sigma, out) : spherical_.sample(sigma, out);
+        spline_now_ ? spline_.sample(sigma, out) : arc_.sample(sigma, out);
     }
 
   private:
     bool spline_now_ = false;
-    SphericalKernel<C> spherical_;
-    SplineKernel<C> spline_;
+    ArcCurve<C> arc_;
+    SplineCurve<C> spline_;
 };
 
 /// The kernel of a stream of segments of both kinds.

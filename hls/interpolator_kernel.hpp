@@ -7,14 +7,14 @@
 // exactly at the segment's length is its end word: stops land without error.
 #pragma once
 
-#include "hls/spherical_kernel.hpp"
+#include "hls/curves/arc.hpp"
 
 namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// The interpolator over a kernel with load(words), step(), sample(sigma, out), as SphericalKernel.
-template <class C, class Kernel = SphericalKernel<C>>
+/// The interpolator over a kernel with load(words), step(), sample(sigma, out), as ArcCurve.
+template <class C, class Kernel = ArcCurve<C>>
 class InterpolatorKernel : private C {
   public:
     using Length = Word<kLengthBits + 1>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions along lines, arcs and helices in space, with Splines also along cubics, on one
 // multiplier: the serial build of rtl/curve_interpolator.sv, the same ports and the same bits
-// ([Chikurov] Figs. 8 and 10).  Twins: hls/interpolator_kernel.hpp with SphericalKernel, with
+// ([Chikurov] Figs. 8 and 10).  Twins: hls/interpolator_kernel.hpp with ArcCurve, with
 // Splines CurveKernel (hls/curve_kernel.hpp): every step is anchored, Anchor 0 is not built.
 //
 //   segment words, requests -> tracker -> sequencer and program -> datapath -> lander -> samples

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hyperbola y = 1 / (k (t0 + t)) in steps of h: [Chikurov] Fig. 3 as a core of its own.
-// Twin: hls::HyperbolaKernel.
+// Twin: hls::HyperbolaNetwork.
 //
 // Each step gives the series of y and of its derivative z in tau (0 .. 1 over the step), one order
 // per pulse of y_valid_o, of z_valid_o; order_o is that of both.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sine and cosine of an angle that grows by theta per step: [Chikurov] Fig. 2 as a core of its own.
-// Twin: hls::Oscillator.
+// Twin: hls::SineCosineNetwork.
 //
 // Each step gives the state and its series, one order per pulse of coef_valid_o,
 //

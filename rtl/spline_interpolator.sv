@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions along splines at constant path speed, one per request: [Chikurov] Fig. 10.
-// Twin: hls/interpolator_kernel.hpp with hls/spline_kernel.hpp, bit for bit.
+// Twin: hls/interpolator_kernel.hpp with hls/curves/spline.hpp, bit for bit.
 //
 //   segment words -> starter -> anchor -> network (steps ahead) -> banks -> sampler -> lander ->
 //   requests -------> step tracker -> offset ---------------------------------^         samples
@@ -19,7 +19,7 @@
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // ParameterGuard: fraction bits below the words' in which the spline's parameter adds up from step
-// to step (hls/spline_kernel.hpp); the planner must know them.
+// to step (hls/curves/spline.hpp); the planner must know them.
 // Segments of other kinds are not for this core.
 // Formats: hls/words.hpp.
 `default_nettype none

@@ -12,11 +12,12 @@ inline namespace CURVECORE_STORAGE {
 
 /// An Archimedean spiral, in any plane.
 template <class C>
-class ArchimedeanCurve : private CurveSteps<C> {
+class ArchimedeanCurve : protected CurveSteps<C> {
     using Steps = CurveSteps<C>;
     using Steps::before;
     using Steps::down;
     using Steps::even;
+    using Steps::keep;
     using Steps::lifted;
     using Steps::named;
     using Steps::odd;
@@ -34,7 +35,7 @@ class ArchimedeanCurve : private CurveSteps<C> {
     static constexpr int kFurther = 2;  // words of a segment that are the table's own
 
     ArchimedeanCurve() = default;
-    explicit ArchimedeanCurve(const C& format) : Steps(format) {}
+    explicit ArchimedeanCurve(const C& format) : Steps(format, "archimedean", rows()) {}
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -46,7 +47,8 @@ class ArchimedeanCurve : private CurveSteps<C> {
             N_[axis][0] = segment.normal[axis];
             T_[axis][0] = segment.tangent[axis];
         }
-        expand();
+        anchor();
+        orders();
     }
 
     /// Moves on to the next integration step.
@@ -54,19 +56,20 @@ class ArchimedeanCurve : private CurveSteps<C> {
         Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move_[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = keep(Row::move_, 0, Coef(sum(x_[axis], C::kOrder)));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
+            T_[axis][0] = keep(Row::T_, 0, Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder)));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
+            N_[axis][0] = keep(Row::N_, 0, Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder)));
         }
         // p : -6 = p + sum(p)
-        p_[0] = Coef(Product(p_[0]) + sum(p_, C::kOrder));
+        p_[0] = keep(Row::p_, 0, Coef(Product(p_[0]) + sum(p_, C::kOrder)));
         // w : -2 = w + sum(w)
-        w_[0] = Coef(Product(w_[0]) + sum(w_, C::kOrder));
+        w_[0] = keep(Row::w_, 0, Coef(Product(w_[0]) + sum(w_, C::kOrder)));
         Steps::move_origin(move_);
         Steps::move_auxiliary();
-        expand();
+        anchor();
+        orders();
     }
 
     /// Sets the fine position at an offset of quanta into the present step.
@@ -74,64 +77,68 @@ class ArchimedeanCurve : private CurveSteps<C> {
         const Coef tau = Steps::tau_of(offset);
         Coef d[3];
         for (int axis = 0; axis < 3; ++axis) {
-            d[axis] = Steps::in_tau(x_[axis], tau);
+            d[axis] = Steps::in_tau(Row::x_, x_[axis], tau);
         }
         Steps::draw(d, tau, out);
     }
 
-  private:
-    void expand() {
+  protected:  // the words of a step
+    /// Makes what a step begins with.
+    void anchor() {
+        // w2 : -2 = w*w
+        w2_[0] = keep(Row::w2_, 0, rounded(times(w_[0], w_[0]), C::kCoefBits - 2));
+        // w3 : -2 = w2*w
+        w3_[0] = keep(Row::w3_, 0, rounded(times(w2_[0], w_[0]), C::kCoefBits - 2));
+        // u : -2 = w2*w2
+        u_[0] = keep(Row::u_, 0, rounded(times(w2_[0], w2_[0]), C::kCoefBits - 2));
+        // pw4 : -2 = p*u
+        pw4_[0] = keep(Row::pw4_, 0, rounded(times(p_[0], u_[0]), C::kCoefBits - 6));
+        // kappa : 0 = b*w + b*w3
+        kappa_[0] = keep(Row::kappa_, 0,
+            rounded(times(b_, w_[0]) + times(b_, w3_[0]), C::kCoefBits - 2));
+    }
+
+    /// Makes the orders of a step's series.
+    void orders() {
         Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
         Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
         Coef Dp_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
         Coef Dw_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
-        Coef pw4_[C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
-        Coef u_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
-        Coef w2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        Coef w3_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        // w2 : -2 = w*w
-        w2_[0] = rounded(times(w_[0], w_[0]), C::kCoefBits - 2);
-        // w3 : -2 = w2*w
-        w3_[0] = rounded(times(w2_[0], w_[0]), C::kCoefBits - 2);
-        // u : -2 = w2*w2
-        u_[0] = rounded(times(w2_[0], w2_[0]), C::kCoefBits - 2);
-        // pw4 : -2 = p*u
-        pw4_[0] = rounded(times(p_[0], u_[0]), C::kCoefBits - 6);
-        // kappa : 0 = b*w + b*w3
-        kappa_[0] = rounded(times(b_, w_[0]) + times(b_, w3_[0]), C::kCoefBits - 2);
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dp : -2 = b*w'
-            Dp_[i] = rounded(times(b_, w_[i - 1]), C::kCoefBits);
+            Dp_[i] = keep(Row::Dp_, i, rounded(times(b_, w_[i - 1]), C::kCoefBits));
             // Dw : -2 = - b*pw4'
-            Dw_[i] = rounded(-times(b_, pw4_[i - 1]), C::kCoefBits);
+            Dw_[i] = keep(Row::Dw_, i, rounded(-times(b_, pw4_[i - 1]), C::kCoefBits));
             // p : -6 = Dp/i
-            p_[i] = rounded(over(Dp_[i], i), C::kCoefBits + 3);
+            p_[i] = keep(Row::p_, i, rounded(over(Dp_[i], i), C::kCoefBits + 3));
             // w : -2 = Dw/i
-            w_[i] = rounded(over(Dw_[i], i), C::kCoefBits - 1);
+            w_[i] = keep(Row::w_, i, rounded(over(Dw_[i], i), C::kCoefBits - 1));
             // w2 : -2 = w*w
-            w2_[i] = rounded(series_times(w_, w_, i), C::kCoefBits - 2);
+            w2_[i] = keep(Row::w2_, i, rounded(series_times(w_, w_, i), C::kCoefBits - 2));
             // w3 : -2 = w2*w
-            w3_[i] = rounded(series_times(w2_, w_, i), C::kCoefBits - 2);
+            w3_[i] = keep(Row::w3_, i, rounded(series_times(w2_, w_, i), C::kCoefBits - 2));
             if (i <= C::kOrder - 1) {
                 // u : -2 = w2*w2
-                u_[i] = rounded(series_times(w2_, w2_, i), C::kCoefBits - 2);
+                u_[i] = keep(Row::u_, i, rounded(series_times(w2_, w2_, i), C::kCoefBits - 2));
                 // pw4 : -2 = p*u
-                pw4_[i] = rounded(series_times(p_, u_, i), C::kCoefBits - 6);
+                pw4_[i] = keep(Row::pw4_, i, rounded(series_times(p_, u_, i), C::kCoefBits - 6));
             }
             // kappa : 0 = b*w + b*w3
-            kappa_[i] = rounded(times(b_, w_[i]) + times(b_, w3_[i]), C::kCoefBits - 2);
+            kappa_[i] = keep(Row::kappa_, i,
+                rounded(times(b_, w_[i]) + times(b_, w3_[i]), C::kCoefBits - 2));
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa*N[k]'
-                DT_[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
+                DT_[axis][i] = keep(Row::DT_, i,
+                    rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits));
                 // DN[k] : -2 = - kappa*T[k]'
-                DN_[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
+                DN_[axis][i] = keep(Row::DN_, i,
+                    rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits));
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = keep(Row::N_, i, rounded(over(DN_[axis][i], i), C::kCoefBits - 1));
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = keep(Row::T_, i, rounded(over(DT_[axis][i], i), C::kCoefBits - 1));
                 // x[k] : -2 = T[k]'/i
-                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
+                x_[axis][i] = keep(Row::x_, i, rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1));
             }
         }
     }
@@ -139,9 +146,40 @@ class ArchimedeanCurve : private CurveSteps<C> {
     Coef N_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
     Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
     Coef b_ = 0;                                  // CoefBits +0 fraction bits: +-0.5
+    Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
     Coef p_[C::kMostOrder + 1] = {};              // CoefBits -6 fraction bits: +-32
+    Coef pw4_[C::kMostOrder + 1] = {};            // CoefBits -2 fraction bits: +-2
+    Coef u_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
     Coef w_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef w2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
+    Coef w3_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
     Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+
+  private:
+    enum class Row { DN_, DT_, Dp_, Dw_, N_, T_, b_, kappa_, move_, p_, pw4_, u_, w_, w2_,
+                    w3_, x_ };
+    /// Names and fraction bits of the rows, for a format that notes their ranges.
+    static const WordRow* rows() {
+        static constexpr WordRow kRows[] = {
+            {"DN", -2},
+            {"DT", -2},
+            {"Dp", -2},
+            {"Dw", -2},
+            {"N", -2},
+            {"T", -2},
+            {"b", 0},
+            {"kappa", 0},
+            {"move", -2},
+            {"p", -6},
+            {"pw4", -2},
+            {"u", -2},
+            {"w", -2},
+            {"w2", -2},
+            {"w3", -2},
+            {"x", -2},
+            {nullptr, 0}};
+        return kRows;
+    }
 };
 
 }  // namespace CURVECORE_STORAGE

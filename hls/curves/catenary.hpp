@@ -13,11 +13,12 @@ inline namespace CURVECORE_STORAGE {
 
 /// A hanging chain, in any plane.
 template <class C>
-class CatenaryCurve : private CurveSteps<C> {
+class CatenaryCurve : protected CurveSteps<C> {
     using Steps = CurveSteps<C>;
     using Steps::before;
     using Steps::down;
     using Steps::even;
+    using Steps::keep;
     using Steps::lifted;
     using Steps::named;
     using Steps::odd;
@@ -35,7 +36,7 @@ class CatenaryCurve : private CurveSteps<C> {
     static constexpr int kFurther = 2;  // words of a segment that are the table's own
 
     CatenaryCurve() = default;
-    explicit CatenaryCurve(const C& format) : Steps(format) {}
+    explicit CatenaryCurve(const C& format) : Steps(format, "catenary", rows()) {}
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -47,7 +48,8 @@ class CatenaryCurve : private CurveSteps<C> {
             N_[axis][0] = segment.normal[axis];
             T_[axis][0] = segment.tangent[axis];
         }
-        expand();
+        anchor();
+        orders();
     }
 
     /// Moves on to the next integration step.
@@ -55,19 +57,20 @@ class CatenaryCurve : private CurveSteps<C> {
         Coef move_[3] = {};                           // CoefBits -2 fraction bits: +-2
         for (int axis = 0; axis < 3; ++axis) {
             // move[k] : -2 = sum(x[k])
-            move_[axis] = Coef(sum(x_[axis], C::kOrder));
+            move_[axis] = keep(Row::move_, 0, Coef(sum(x_[axis], C::kOrder)));
             // T[k] : -2 = T[k] + sum(T[k])
-            T_[axis][0] = Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder));
+            T_[axis][0] = keep(Row::T_, 0, Coef(Product(T_[axis][0]) + sum(T_[axis], C::kOrder)));
             // N[k] : -2 = N[k] + sum(N[k])
-            N_[axis][0] = Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder));
+            N_[axis][0] = keep(Row::N_, 0, Coef(Product(N_[axis][0]) + sum(N_[axis], C::kOrder)));
         }
         // c : -2 = c + sum(c)
-        c_[0] = Coef(Product(c_[0]) + sum(c_, C::kOrder));
+        c_[0] = keep(Row::c_, 0, Coef(Product(c_[0]) + sum(c_, C::kOrder)));
         // e : -2 = e + sum(e)
-        e_[0] = Coef(Product(e_[0]) + sum(e_, C::kOrder));
+        e_[0] = keep(Row::e_, 0, Coef(Product(e_[0]) + sum(e_, C::kOrder)));
         Steps::move_origin(move_);
         Steps::move_auxiliary();
-        expand();
+        anchor();
+        orders();
     }
 
     /// Sets the fine position at an offset of quanta into the present step.
@@ -75,47 +78,52 @@ class CatenaryCurve : private CurveSteps<C> {
         const Coef tau = Steps::tau_of(offset);
         Coef d[3];
         for (int axis = 0; axis < 3; ++axis) {
-            d[axis] = Steps::in_tau(x_[axis], tau);
+            d[axis] = Steps::in_tau(Row::x_, x_[axis], tau);
         }
         Steps::draw(d, tau, out);
     }
 
-  private:
-    void expand() {
+  protected:  // the words of a step
+    /// Makes what a step begins with.
+    void anchor() {
+        // c2 : -2 = c*c
+        c2_[0] = keep(Row::c2_, 0, rounded(times(c_[0], c_[0]), C::kCoefBits - 2));
+        // kappa : 0 = b*c2
+        kappa_[0] = keep(Row::kappa_, 0, rounded(times(b_, c2_[0]), C::kCoefBits - 2));
+    }
+
+    /// Makes the orders of a step's series.
+    void orders() {
         Coef DN_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
         Coef DT_[3][C::kMostOrder + 1] = {};          // CoefBits -2 fraction bits: +-2
         Coef Dc_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
         Coef De_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        Coef c2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
-        Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
-        // c2 : -2 = c*c
-        c2_[0] = rounded(times(c_[0], c_[0]), C::kCoefBits - 2);
-        // kappa : 0 = b*c2
-        kappa_[0] = rounded(times(b_, c2_[0]), C::kCoefBits - 2);
         for (int i = 1; i <= C::kOrder; ++i) {
             // Dc : -2 = - kappa*e'
-            Dc_[i] = rounded(-series_times(kappa_, e_, i - 1), C::kCoefBits);
+            Dc_[i] = keep(Row::Dc_, i, rounded(-series_times(kappa_, e_, i - 1), C::kCoefBits));
             // De : -2 = kappa*c'
-            De_[i] = rounded(series_times(kappa_, c_, i - 1), C::kCoefBits);
+            De_[i] = keep(Row::De_, i, rounded(series_times(kappa_, c_, i - 1), C::kCoefBits));
             // c : -2 = Dc/i
-            c_[i] = rounded(over(Dc_[i], i), C::kCoefBits - 1);
+            c_[i] = keep(Row::c_, i, rounded(over(Dc_[i], i), C::kCoefBits - 1));
             // e : -2 = De/i
-            e_[i] = rounded(over(De_[i], i), C::kCoefBits - 1);
+            e_[i] = keep(Row::e_, i, rounded(over(De_[i], i), C::kCoefBits - 1));
             // c2 : -2 = c*c
-            c2_[i] = rounded(series_times(c_, c_, i), C::kCoefBits - 2);
+            c2_[i] = keep(Row::c2_, i, rounded(series_times(c_, c_, i), C::kCoefBits - 2));
             // kappa : 0 = b*c2
-            kappa_[i] = rounded(times(b_, c2_[i]), C::kCoefBits - 2);
+            kappa_[i] = keep(Row::kappa_, i, rounded(times(b_, c2_[i]), C::kCoefBits - 2));
             for (int axis = 0; axis < 3; ++axis) {
                 // DT[k] : -2 = kappa*N[k]'
-                DT_[axis][i] = rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits);
+                DT_[axis][i] = keep(Row::DT_, i,
+                    rounded(series_times(kappa_, N_[axis], i - 1), C::kCoefBits));
                 // DN[k] : -2 = - kappa*T[k]'
-                DN_[axis][i] = rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits);
+                DN_[axis][i] = keep(Row::DN_, i,
+                    rounded(-series_times(kappa_, T_[axis], i - 1), C::kCoefBits));
                 // N[k] : -2 = DN[k]/i
-                N_[axis][i] = rounded(over(DN_[axis][i], i), C::kCoefBits - 1);
+                N_[axis][i] = keep(Row::N_, i, rounded(over(DN_[axis][i], i), C::kCoefBits - 1));
                 // T[k] : -2 = DT[k]/i
-                T_[axis][i] = rounded(over(DT_[axis][i], i), C::kCoefBits - 1);
+                T_[axis][i] = keep(Row::T_, i, rounded(over(DT_[axis][i], i), C::kCoefBits - 1));
                 // x[k] : -2 = T[k]'/i
-                x_[axis][i] = rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1);
+                x_[axis][i] = keep(Row::x_, i, rounded(over(T_[axis][i - 1], i), C::kCoefBits - 1));
             }
         }
     }
@@ -124,8 +132,32 @@ class CatenaryCurve : private CurveSteps<C> {
     Coef T_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
     Coef b_ = 0;                                  // CoefBits +0 fraction bits: +-0.5
     Coef c_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef c2_[C::kMostOrder + 1] = {};             // CoefBits -2 fraction bits: +-2
     Coef e_[C::kMostOrder + 1] = {};              // CoefBits -2 fraction bits: +-2
+    Coef kappa_[C::kMostOrder + 1] = {};          // CoefBits +0 fraction bits: +-0.5
     Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+
+  private:
+    enum class Row { DN_, DT_, Dc_, De_, N_, T_, b_, c_, c2_, e_, kappa_, move_, x_ };
+    /// Names and fraction bits of the rows, for a format that notes their ranges.
+    static const WordRow* rows() {
+        static constexpr WordRow kRows[] = {
+            {"DN", -2},
+            {"DT", -2},
+            {"Dc", -2},
+            {"De", -2},
+            {"N", -2},
+            {"T", -2},
+            {"b", 0},
+            {"c", -2},
+            {"c2", -2},
+            {"e", -2},
+            {"kappa", 0},
+            {"move", -2},
+            {"x", -2},
+            {nullptr, 0}};
+        return kRows;
+    }
 };
 
 }  // namespace CURVECORE_STORAGE

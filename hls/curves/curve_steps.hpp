@@ -24,8 +24,19 @@ class CurveSteps : protected C {
     using Fine = typename C::Fine;
     using Product = typename C::Product;
 
+    using FineParameter = typename C::FineParameter;
+
     CurveSteps() = default;
-    explicit CurveSteps(const C& format) : C(format) {}
+    /// `rows`: of the table, up to one without a name.
+    CurveSteps(const C& format, const char* curve, const WordRow* rows) : C(format) {
+        C::note_rows(curve, rows);
+    }
+
+    /// A word of a row, as the format keeps it.
+    template <class Row>
+    Coef keep(Row row, int order, const Coef& word) const {
+        return C::keep(static_cast<int>(row), order, word);
+    }
 
     void open(const SegmentWords<C>& segment) {
         k_ = segment.step_exponent;
@@ -69,9 +80,16 @@ class CurveSteps : protected C {
         return Coef(round_shift(Product(sum), shift));
     }
     /// The same of a line with `>>`, whose bits hold the sum with `lift` bits more.
-    template <int Bits, class Sum>
-    static Coef scaled_down(const Sum& sum, int lift, int shift) {
-        return Coef(round_shift(Word<Bits>(Word<Bits>(sum) * (Word<Bits>(1) << lift)), shift));
+    template <int Bits, class Out = Coef, class Sum>
+    static Out scaled_down(const Sum& sum, int lift, int shift) {
+        return Out(round_shift(Word<Bits>(Word<Bits>(sum) * (Word<Bits>(1) << lift)), shift));
+    }
+    /// A word with ParameterGuard fraction bits more, and one without them again.
+    FineParameter guarded(const Coef& word) const {
+        return FineParameter(FineParameter(word) * (FineParameter(1) << C::kParameterGuard));
+    }
+    Coef unguarded(const FineParameter& word) const {
+        return Coef(round_shift(word, C::kParameterGuard));
     }
     template <class Term>
     static Product lifted(const Term& term, int by) {
@@ -102,23 +120,33 @@ class CurveSteps : protected C {
         for (int i = 1; i <= last; ++i) all = Product(all + Product(row[i]));
         return all;
     }
-    /// The polynomial of orders last, last - by .. first in x, each product rounded once.
-    static Coef horner(const Coef* row, const Coef& x, int first, int last, int by, int shift) {
+    /// The polynomial of orders last, last - by .. first in x, each product rounded once. Its sums
+    /// are kept as orders of their row.
+    template <class Row>
+    Coef horner(Row of, const Coef* row, const Coef& x, int first, int last, int by,
+                int shift) const {
         Coef all = row[last];
         for (int i = last - by; i >= first; i -= by) {
-            all = Coef(row[i] + rounded(times(all, x), shift));
+            all = keep(of, i, Coef(row[i] + rounded(times(all, x), shift)));
         }
         return all;
     }
-    Coef in_tau(const Coef* row, const Coef& tau) const {
-        return rounded(times(horner(row, tau, 1, C::kOrder, 1, C::kUnitFrac), tau), C::kUnitFrac);
+    template <class Row>
+    Coef in_tau(Row of, const Coef* row, const Coef& tau) const {
+        const Coef all = horner(of, row, tau, 1, C::kOrder, 1, C::kUnitFrac);
+        return rounded(times(all, tau), C::kUnitFrac);
     }
-    Coef odd(const Coef* row, const Coef& x, int shift) const {
-        return horner(row, x, 1, C::kOrder - 1 + C::kOrder % 2, 2, shift);
+    template <class Row>
+    Coef odd(Row of, const Coef* row, const Coef& x, int shift) const {
+        return horner(of, row, x, 1, C::kOrder - 1 + C::kOrder % 2, 2, shift);
     }
-    Coef even(const Coef* row, const Coef& x, int shift) const {
-        return rounded(times(horner(row, x, 2, C::kOrder - C::kOrder % 2, 2, shift), x), shift);
+    template <class Row>
+    Coef even(Row of, const Coef* row, const Coef& x, int shift) const {
+        const Coef all = horner(of, row, x, 2, C::kOrder - C::kOrder % 2, 2, shift);
+        return rounded(times(all, x), shift);
     }
+
+    Fine origin_[C::kMostAxes] = {};  // of the step
 
   private:
     static Product convolved(const Coef* a, const Coef* b, int n, int last) {
@@ -132,7 +160,6 @@ class CurveSteps : protected C {
     int k_ = 0;
     int lambda_ = 0;
     Fine start_[C::kMostAxes] = {};
-    Fine origin_[C::kMostAxes] = {};
     Coef rate_[C::kMostAxes] = {};  // of auxiliary axes
 };
 

@@ -13,10 +13,11 @@ int main(int argc, char** argv) {
     try {
         for (int n = 2; n < argc; ++n) {
             const std::string file = argv[n];
-            const ref::CurveTable table = ref::read_curve_table(file);
+            const std::string text = ref::read_text_file(file);
+            const ref::CurveTable table = ref::read_network_text(file, text);
             const std::string to = std::string(argv[1]) + "/" + table.name + ".hpp";
             std::ofstream out(to);
-            out << hls::kernel_text(table, ref::read_text_file(file));
+            out << hls::kernel_text(table, text);
             if (!out.flush()) throw std::runtime_error(to + ": cannot be written");
         }
     } catch (const std::exception& error) {

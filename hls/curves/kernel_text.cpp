@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "hls/curves/line_text.hpp"
+#include "hls/curves/statements.hpp"
 
 namespace curvecore {
 namespace hls {
@@ -18,9 +18,6 @@ namespace {
 using ref::CurveRow;
 using ref::CurveTable;
 using ref::TableLine;
-using ref::TableTerm;
-
-constexpr std::size_t kColumns = 100;
 
 /// The header behind its remarks.
 constexpr const char* kClass = R"(#pragma once
@@ -34,11 +31,12 @@ inline namespace CURVECORE_STORAGE {{
 
 /// {title}.
 template <class C>
-class {name} : private CurveSteps<C> {{
+class {name} : protected CurveSteps<C> {{
     using Steps = CurveSteps<C>;
     using Steps::before;
     using Steps::down;
     using Steps::even;
+    using Steps::keep;
     using Steps::lifted;
     using Steps::named;
     using Steps::odd;
@@ -53,62 +51,86 @@ class {name} : private CurveSteps<C> {{
   public:
     using Coef = typename C::Coef;
     using Fine = typename C::Fine;
-    static constexpr int kFurther = {further};  // words of a segment that are the table's own
+{further}    {name}() = default;
+    explicit {name}(const C& format) : Steps(format, "{curve}", rows()) {{}}
 
-    {name}() = default;
-    explicit {name}(const C& format) : Steps(format) {{}}
-
-    /// Opens a segment at its first step.
-    void load(const SegmentWords<C>& segment) {{
-        Steps::open(segment);
-{load}        expand();
+{opening}{load}        anchor();
+        orders();
     }}
 
     /// Moves on to the next integration step.
     void step() {{
-{step_locals}{step}        Steps::move_auxiliary();
-        expand();
+{step_locals}{step}{go_on}        orders();
     }}
 
-    /// Sets the fine position at an offset of quanta into the present step.
-    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {{
-        const Coef tau = Steps::tau_of(offset);
-        Coef d[3];
-{sample}        Steps::draw(d, tau, out);
-    }}
+{sample}  {access}:  // the words of a step
+    /// Makes what a step begins with.
+    void anchor() {{
+{anchor_locals}{anchor}    }}
+{carry}
+    /// Makes the orders of a step's series.
+    void orders() {{
+{order_locals}{orders}    }}
 
+{members}
   private:
-    void expand() {{
-{expand_locals}{expand}    }}
-
-{members}}};
+    enum class Row {{ {rows} }};
+    /// Names and fraction bits of the rows, for a format that notes their ranges.
+    static const WordRow* rows() {{
+        static constexpr WordRow kRows[] = {{
+{row_words}            {{nullptr, 0}}}};
+        return kRows;
+    }}
+}};
 
 }}  // namespace CURVECORE_STORAGE
 }}  // namespace hls
 }}  // namespace curvecore
 )";
 
+/// Lines of a text, as they are.
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+constexpr const char* kSample =
+    R"(    /// Sets the fine position at an offset of quanta into the present step.
+    void sample(const Word<kLengthBits + 1>& offset, Fine* out) const {{
+        const Coef tau = Steps::tau_of(offset);
+        Coef d[3];
+{}        Steps::draw(d, tau, out);
+    }}
+
+)";
+
 class Writer {
   public:
     Writer(const CurveTable& table, const std::string& remarks)
-        : table_(table), limits_(table), names_(table), line_(table, names_, limits_) {
-        std::istringstream stream(remarks);
-        for (std::string line; std::getline(stream, line);) lines_.push_back(line);
-    }
+        : table_(table),
+          lines_(lines_of(remarks)),
+          limits_(table),
+          names_(table),
+          statements_(table, names_, limits_, lines_) {}
 
-    std::string text() {
-        std::string step = section("next", 2);
-        std::string expand = section("anchor", 2);
-        if (table_.rows.count("place") != 0) expand += "        Steps::place_origin(place_);\n";
-        expand += orders();
-        if (table_.rows.count("move") != 0) step += "        Steps::move_origin(move_);\n";
+    std::string text() const {
         return head() +
                fmt::format(
                    kClass, fmt::arg("title", table_.title), fmt::arg("name", kernel_class(table_)),
-                   fmt::arg("further", table_.further_words()), fmt::arg("load", on_load()),
-                   fmt::arg("step", step), fmt::arg("step_locals", locals(RowNames::kStep)),
-                   fmt::arg("expand", expand), fmt::arg("expand_locals", locals(RowNames::kExpand)),
-                   fmt::arg("sample", of_sample()), fmt::arg("members", members()));
+                   fmt::arg("curve", table_.name), fmt::arg("further", further()),
+                   fmt::arg("opening", opening()),
+                   fmt::arg("access", table_.network() ? "public" : "protected"),
+                   fmt::arg("load", on_load()), fmt::arg("step", on_step()),
+                   fmt::arg("step_locals", locals(RowNames::kStep)), fmt::arg("go_on", go_on()),
+                   fmt::arg("anchor_locals", locals(RowNames::kAnchor)),
+                   fmt::arg("anchor", anchor()), fmt::arg("carry", carry()),
+                   fmt::arg("order_locals", locals(RowNames::kOrders)),
+                   fmt::arg("orders", orders()),
+                   fmt::arg("sample", table_.network() ? "" : fmt::format(kSample, of_sample())),
+                   fmt::arg("members", members()), fmt::arg("rows", row_list()),
+                   fmt::arg("row_words", row_words()));
     }
 
   private:
@@ -125,11 +147,6 @@ class Writer {
                    "// Made by `curvecore curve kernel {}`: each line stands above its "
                    "statement.\n",
                    table_.file.substr(table_.file.rfind('/') + 1));
-    }
-
-    /// A remark's line without the \ at its end that would join the next line to it.
-    static std::string without_splice(const std::string& line) {
-        return line.substr(0, line.find_last_not_of("\\ \t") + 1);
     }
 
     /// Remarks of the table in lines of at most 100 columns.
@@ -150,6 +167,16 @@ class Writer {
     // --- declarations
 
     std::string declared(const std::string& row) const {
+        const CurveRow& of = table_.rows.at(row);
+        if (table_.guarded.count(row) != 0) {
+            const std::string guarded =
+                fmt::format("{:<44}  // the same, and ParameterGuard more\n",
+                            "typename C::FineParameter " + names_.guarded(row) + " = 0;");
+            return of.start ? word(row) + "    " + guarded : guarded;
+        }
+        return word(row);
+    }
+    std::string word(const std::string& row) const {
         const CurveRow& of = table_.rows.at(row);
         std::string text = "Coef " + names_.of(row) + (of.of_axis ? "[3]" : "");
         if (names_.array(row)) text += "[C::kMostOrder + 1]";
@@ -172,9 +199,100 @@ class Writer {
         return text;
     }
 
+    /// Rows whose ranges a format may note.
+    std::vector<std::string> noted() const {
+        std::vector<std::string> rows;
+        for (const std::string& row : names_.rows()) {
+            const bool wide = table_.guarded.count(row) != 0 && !table_.rows.at(row).start;
+            if (row != "tau" && !wide) rows.push_back(row);
+        }
+        return rows;
+    }
+    std::string row_list() const {
+        std::string text;
+        std::size_t used = 0;
+        for (const std::string& row : noted()) {
+            if (!text.empty()) text += ",";
+            const std::string name = names_.of(row);
+            if (text.size() - used + name.size() > kColumns - 30) {
+                text += "\n" + pad(5);
+                used = text.size();
+            } else if (!text.empty()) {
+                text += " ";
+            }
+            text += name;
+        }
+        return text;
+    }
+    std::string row_words() const {
+        std::string text;
+        for (const std::string& row : noted()) {
+            text += pad(3) + fmt::format("{{\"{}\", {}}},\n", row, table_.rows.at(row).fraction);
+        }
+        return text;
+    }
+
     // --- functions
 
-    std::string on_load() {
+    bool makes(const std::string& row) const { return table_.rows.count(row) != 0; }
+
+    std::string further() const {
+        if (table_.network()) return "\n";
+        return fmt::format(
+            "    static constexpr int kFurther = {};  // words of a segment that are the table's "
+            "own\n\n",
+            table_.further_words());
+    }
+    /// The beginning of load(): of a network its words are given, in the order of their names.
+    std::string opening() const {
+        if (!table_.network()) {
+            return "    /// Opens a segment at its first step.\n"
+                   "    void load(const SegmentWords<C>& segment) {\n"
+                   "        Steps::open(segment);\n";
+        }
+        std::string arguments;
+        std::string text;
+        for (const auto& [name, row] : table_.rows) {
+            if (!row.word && (!row.start || row.value)) continue;
+            arguments += (arguments.empty() ? "const Coef& " : ", const Coef& ") + name;
+            text += fmt::format("        {}{} = {};\n", names_.of(name),
+                                names_.array(name) ? "[0]" : "", name);
+        }
+        return "    /// Begins with a first step.\n    void load(" + arguments + ") {\n" + text;
+    }
+    std::string on_step() const {
+        const std::string text = statements_.section("next", 2);
+        const auto& lines = table_.section("next");
+        const bool moves = std::any_of(lines.begin(), lines.end(),
+                                       [](const TableLine& line) { return line.row == "move"; });
+        return text + (moves ? pad(2) + "Steps::move_origin(move_);\n" : "") +
+               (table_.network() ? "" : pad(2) + "Steps::move_auxiliary();\n");
+    }
+    static std::string either(const char* condition, const char* one, const char* other) {
+        return fmt::format(
+            "        if ({}) {{\n            {};\n        }} else {{\n            {};\n        "
+            "}}\n",
+            condition, one, other);
+    }
+    std::string go_on() const {
+        return table_.carries(false) ? either("C::kAnchor", "anchor()", "carry()")
+                                     : pad(2) + "anchor();\n";
+    }
+    std::string anchor() const {
+        return statements_.section("anchor", 2) +
+               (makes("place") ? pad(2) + "Steps::place_origin(place_);\n" : "");
+    }
+    std::string carry() const {
+        if (!table_.carries(false)) return "";
+        return "    /// The same with Anchor 0, of the step before.\n    void carry() {\n" +
+               locals(RowNames::kCarry) + statements_.section("carry", 2) +
+               (makes("place") ? either("C::kSeries", "Steps::move_origin(move_)",
+                                        "Steps::place_origin(place_)")
+                               : "") +
+               "    }\n";
+    }
+
+    std::string on_load() const {
         std::string text;
         std::string axes;
         for (const auto& [place, row] : table_.bus) {
@@ -208,10 +326,15 @@ class Writer {
                 number == 0 ? "0"
                             : fmt::format("Coef(lifted({}, {}))", number, coef_bits(row.fraction)));
         }
-        return locals(RowNames::kLoad) + text + section("load", 2);
+        for (const std::string& row : table_.guarded) {
+            if (!table_.rows.at(row).start) continue;
+            text += fmt::format("        {} = Steps::guarded({});\n", names_.guarded(row),
+                                names_.of(row));
+        }
+        return locals(RowNames::kLoad) + text + statements_.section("load", 2);
     }
 
-    std::string of_sample() {
+    std::string of_sample() const {
         const ref::RowOperand output = ref::same_row(table_, {table_.output, true, 0, {}});
         if (output.primes != 0) {
             ref::Place{table_.file, std::max(table_.rows.at(table_.output).line, 1)}.refuse(
@@ -219,12 +342,14 @@ class Writer {
         }
         const auto by_series = [&](int depth) {
             return pad(depth) + "for (int axis = 0; axis < 3; ++axis) {\n" + pad(depth + 1) +
-                   fmt::format("d[axis] = Steps::in_tau({}[axis], tau);\n", names_.of(output.row)) +
+                   fmt::format("d[axis] = Steps::in_tau(Row::{0}, {0}[axis], tau);\n",
+                               names_.of(output.row)) +
                    pad(depth) + "}\n";
         };
         if (table_.section("sample").empty()) return by_series(2);
         return pad(2) + "if (C::kSeries) {\n" + by_series(3) + pad(2) + "} else {\n" +
-               indented(locals(RowNames::kSample)) + section("sample", 3) + pad(2) + "}\n";
+               indented(locals(RowNames::kSample)) + statements_.section("sample", 3) + pad(2) +
+               "}\n";
     }
     static std::string indented(const std::string& text) {
         std::string made;
@@ -233,137 +358,17 @@ class Writer {
         return made;
     }
 
-    std::string section(const std::string& name, int depth) {
-        return statements(table_.section(name), name, depth);
-    }
-    std::string orders() {
-        const auto& lines = table_.section("order");
-        if (lines.empty()) return "";
-        return "        for (int i = 1; i <= C::kOrder; ++i) {\n" + statements(lines, "order", 3) +
-               "        }\n";
-    }
-
-    /// Statements of lines; neighbours with one condition and a row of each axis share a loop.
-    std::string statements(const std::vector<TableLine>& lines, const std::string& section,
-                           int depth) {
-        std::string text;
-        std::string condition;
-        bool axes = false;
-        std::set<std::string> made;  // in the loop over the axes
-        std::set<std::string> read;  // there, of all axes
-        const auto close = [&](bool also_condition) {
-            const int in = depth + (condition.empty() ? 0 : 1);
-            if (axes) text += pad(in) + "}\n";
-            axes = false;
-            made.clear();
-            read.clear();
-            if (also_condition && !condition.empty()) {
-                text += pad(depth) + "}\n";
-                condition.clear();
-            }
-        };
-        for (const TableLine& line : lines) {
-            if (section == "order" && !limits_.needed(line.row)) continue;
-            const std::string when =
-                section == "order" ? condition_of_order(line) : condition_of(line);
-            if (when != condition) {
-                close(true);
-                if (!when.empty()) text += pad(depth) + "if (" + when + ") {\n";
-                condition = when;
-            }
-            const std::set<std::string> all = rows_of_all_axes(line);
-            const bool across = read.count(line.row) > 0 ||
-                                std::any_of(all.begin(), all.end(), [&](const std::string& row) {
-                                    return made.count(row) > 0;
-                                });
-            if (axes && (!line.of_axis || across)) close(false);
-            if (line.of_axis && !axes) {
-                text += pad(depth + (condition.empty() ? 0 : 1)) +
-                        "for (int axis = 0; axis < 3; ++axis) {\n";
-                axes = true;
-            }
-            if (line.of_axis && section != "order" && all.count(line.row) > 0) {
-                line_.refuse(line, "makes " + line.row +
-                                       "[k] axis by axis: what it takes of all axes is made in a "
-                                       "row of its own");
-            }
-            if (section == "sample" && names_.member(line.row)) {
-                line_.refuse(line, "makes what `sample` makes there alone: " + line.row +
-                                       " is made or read elsewhere, too");
-            }
-            made.insert(line.row);
-            read.insert(all.begin(), all.end());
-            const int in = depth + (condition.empty() ? 0 : 1) + (axes ? 1 : 0);
-            text += pad(in) + "// " + remark(line) + "\n";
-            text += wrapped(pad(in) + line_.statement(line, section == "order"), in);
-        }
-        close(true);
-        return text;
-    }
-    /// Rows that a line reads as [*].
-    std::set<std::string> rows_of_all_axes(const TableLine& line) const {
-        std::set<std::string> rows;
-        for (const TableTerm& term : line.terms) {
-            if (!term.all_axes) continue;
-            for (const ref::RowOperand* of : {&term.a, &term.b}) {
-                if (of->of_axis) rows.insert(ref::same_row(table_, *of).row);
-            }
-        }
-        return rows;
-    }
-    static std::string pad(int depth) {
-        return std::string(4 * static_cast<std::size_t>(depth), ' ');
-    }
-
-    /// The line as the file has it.
-    std::string remark(const TableLine& line) const {
-        const auto n = static_cast<std::size_t>(line.number);
-        const std::string text = n >= 1 && n <= lines_.size() ? lines_[n - 1] : line.text;
-        const std::size_t first = text.find_first_not_of(' ');
-        return without_splice(first == std::string::npos ? line.text : text.substr(first));
-    }
-
-    std::string condition_of(const TableLine& line) const {
-        const int order = line.order.value_or(0);
-        return order <= ref::parameter_of(&ref::CoreParameters::order).low
-                   ? ""
-                   : fmt::format("C::kOrder >= {}", order);
-    }
-    std::string condition_of_order(const TableLine& line) const {
-        std::string text = limits_.condition(line.row);
-        for (const TableLine& anchor : table_.section("anchor")) {
-            if (anchor.row != line.row || anchor.order.value_or(0) != 1) continue;
-            return text.empty() ? "i > 1" : "i > 1 && " + text;
-        }
-        return text;
-    }
-
-    /// A statement in lines of at most 100 columns.
-    static std::string wrapped(const std::string& text, int depth) {
-        std::string made;
-        std::string rest = text;
-        while (rest.size() > kColumns + 1) {
-            std::size_t cut = std::string::npos;
-            for (const char* at : {" + ", " - ", ", "}) {
-                const std::size_t found = rest.rfind(at, kColumns - 2);
-                const std::size_t least = 4 * static_cast<std::size_t>(depth + 3);
-                if (found != std::string::npos && found > least &&
-                    (cut == std::string::npos || cut < least + 20)) {
-                    cut = found + (at[0] == ',' ? 1 : 2);
-                }
-            }
-            if (cut == std::string::npos) break;
-            made += rest.substr(0, cut) + "\n";
-            rest = pad(depth + 1) + rest.substr(cut + 1);
-        }
-        return made + rest;
+    std::string orders() const {
+        if (table_.section("order").empty()) return "";
+        return "        for (int i = 1; i <= C::kOrder; ++i) {\n" +
+               statements_.section("order", 3) + "        }\n";
     }
 
     const CurveTable& table_;
     std::vector<std::string> lines_;
     OrderLimits limits_;
     RowNames names_;
-    LineText line_;
+    Statements statements_;
 };
 
 }  // namespace
@@ -383,7 +388,7 @@ std::string kernel_class(const CurveTable& table) {
         name += first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
         first = false;
     }
-    return name + "Curve";
+    return name + (table.network() ? "Network" : "Curve");
 }
 
 }  // namespace hls

@@ -30,21 +30,56 @@ void LineText::refuse(const TableLine& line, const std::string& reason) const {
     ref::Place{table_.file, line.number}.refuse("a kernel of C++ " + reason);
 }
 
-std::string LineText::statement(const TableLine& line, bool order) const {
+std::vector<std::string> LineText::statements(const TableLine& line,
+                                              const std::string& section) const {
     const CurveRow& row = table_.rows.at(line.row);
+    const bool order = section == "order";
     std::string to = names_.of(line.row) + (row.of_axis ? "[axis]" : "");
-    if (names_.array(line.row)) {
-        to += line.order ? fmt::format("[{}]", *line.order) : order ? "[i]" : "[0]";
+    const std::string at = line.order ? std::to_string(*line.order) : order ? "i" : "0";
+    if (names_.array(line.row)) to += "[" + at + "]";
+    const auto kept = [&](const std::string& word) {
+        return fmt::format("{} = keep(Row::{}, {}, {});\n", to, names_.of(line.row), at, word);
+    };
+    if (table_.guarded.count(line.row) != 0) {
+        const std::string fine = names_.guarded(line.row);
+        std::vector<std::string> made{fmt::format("{} = {};\n", fine, guarded(line))};
+        if (row.start) made.push_back(kept(fmt::format("Steps::unguarded({})", fine)));
+        return made;
     }
-    if (!line.adds_axes) return to + " = " + value(line, order, "axis") + ";\n";
+    if (!line.adds_axes) return {kept(value(line, section, "axis"))};
     std::string sum;
     for (const char* axis : kAxes) {
-        sum += (sum.empty() ? "" : " + ") + value(line, order, axis);
+        sum += (sum.empty() ? "" : " + ") + value(line, section, axis);
     }
-    return fmt::format("{} = Coef({});\n", to, sum);
+    return {kept(fmt::format("Coef({})", sum))};
 }
 
-std::string LineText::value(const TableLine& line, bool order, const std::string& axis) const {
+/// A word with ParameterGuard fraction bits more: a sum of such, or a row `>> s`.
+std::string LineText::guarded(const TableLine& line) const {
+    if (line.down == 0) {
+        std::string sum;
+        for (const TableTerm& term : line.terms) {
+            const char* sign = term.number < 0 ? (sum.empty() ? "-" : " - ")
+                               : sum.empty()   ? ""
+                                               : " + ";
+            sum += sign + names_.guarded(term.a.row);
+        }
+        return fmt::format("typename C::FineParameter({})", sum);
+    }
+    const Part row = part(line.terms.front(), false, "axis");
+    const int lift = line.fraction - row.fraction;
+    if (row.number != 1 || lift < 0 || lift > kMostLift) {
+        refuse(line, "takes a coarser row as it is, to `>> s` it into a guarded one");
+    }
+    const std::string down = line.down == 1 ? "down()" : fmt::format("{} * down()", line.down);
+    return fmt::format(
+        "Steps::template scaled_down<64, typename C::FineParameter>({}, {}C::kParameterGuard, {})",
+        row.text, lift == 0 ? "" : fmt::format("{} + ", lift), down);
+}
+
+std::string LineText::value(const TableLine& line, const std::string& section,
+                            const std::string& axis) const {
+    const bool order = section == "order";
     using Function = TableLine::Function;
     if (line.function != Function::kTerms && line.function != Function::kSum) {
         return polynomial(line, axis);
@@ -62,7 +97,7 @@ std::string LineText::value(const TableLine& line, bool order, const std::string
     if (line.function == Function::kSum) {
         Part all;
         all.text = fmt::format("sum({}, {})", series(line.series, line, axis),
-                               limits_.last(line.series.row));
+                               limits_.last(line.series.row, section));
         all.fraction = table_.rows.at(line.series.row).fraction;
         all.wide = true;
         parts.push_back(all);
@@ -85,11 +120,14 @@ std::string LineText::polynomial(const TableLine& line, const std::string& axis)
         refuse(line, "has one fraction for a polynomial and its series");
     }
     const std::string row = series(line.series, line, axis);
-    if (line.function == Function::kHorner) return fmt::format("Steps::in_tau({}, tau)", row);
+    const std::string noted = "Row::" + names_.of(line.series.row);
+    if (line.function == Function::kHorner) {
+        return fmt::format("Steps::in_tau({}, {}, tau)", noted, row);
+    }
     const RowOperand x = ref::same_row(table_, {line.variable, false, 0, {}});
     if (x.primes != 0) refuse(line, "takes order 0 of a variable");
-    return fmt::format("{}({}, {}{}, {})", line.function == Function::kOdd ? "odd" : "even", row,
-                       names_.of(x.row), names_.array(x.row) ? "[0]" : "",
+    return fmt::format("{}({}, {}, {}{}, {})", line.function == Function::kOdd ? "odd" : "even",
+                       noted, row, names_.of(x.row), names_.array(x.row) ? "[0]" : "",
                        coef_bits(table_.rows.at(x.row).fraction));
 }
 

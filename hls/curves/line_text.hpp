@@ -20,9 +20,10 @@ class LineText {
     LineText(const ref::CurveTable& table, const RowNames& names, const OrderLimits& limits)
         : table_(table), names_(names), limits_(limits) {}
 
-    /// The statement; `order`: of the section, for order i.
+    /// The statement of a line of a section, and of a guarded row that is carried another one.
     /// @throws ref::InputError: there is none
-    std::string statement(const ref::TableLine& line, bool order) const;
+    std::vector<std::string> statements(const ref::TableLine& line,
+                                        const std::string& section) const;
     /// @throws ref::InputError: what a kernel of C++ does not do, at the line
     [[noreturn]] void refuse(const ref::TableLine& line, const std::string& reason) const;
 
@@ -37,7 +38,9 @@ class LineText {
         int fraction = 0;
         int number = 1;
     };
-    std::string value(const ref::TableLine& line, bool order, const std::string& axis) const;
+    std::string guarded(const ref::TableLine& line) const;
+    std::string value(const ref::TableLine& line, const std::string& section,
+                      const std::string& axis) const;
     std::string series(const ref::RowOperand& of, const ref::TableLine& line,
                        const std::string& axis) const;
     std::string polynomial(const ref::TableLine& line, const std::string& axis) const;

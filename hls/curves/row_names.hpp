@@ -16,17 +16,18 @@ namespace hls {
 
 class RowNames {
   public:
-    enum Function { kLoad, kExpand, kStep, kSample };
+    enum Function { kLoad, kAnchor, kOrders, kStep, kCarry, kSample };
 
     explicit RowNames(const ref::CurveTable& table) : table_(table) {
         for (const auto& [place, row] : table.bus) uses(row, kLoad);
         for (const auto& [name, row] : table.rows) {
-            if (row.value) uses(name, kLoad);
+            if (row.value || row.word || row.start) uses(name, kLoad);
         }
         for (const auto& [section, lines] : table.sections) {
             for (const ref::TableLine& line : lines) look_at(line, section);
         }
-        const std::string output = ref::same_row(table, {table.output, true, 0, {}}).row;
+        const std::string output =
+            table.network() ? "" : ref::same_row(table, {table.output, true, 0, {}}).row;
         if (functions_.count(output) != 0) {
             uses(output, kSample);
             arrays_.insert(output);
@@ -37,12 +38,19 @@ class RowNames {
     }
 
     const std::string& of(const std::string& row) const { return names_.at(row); }
+    /// The word of a guarded row with ParameterGuard fraction bits more.
+    std::string guarded(const std::string& row) const { return row + "_guarded"; }
     /// Returns whether the kernel keeps orders of the row.
     bool array(const std::string& row) const { return arrays_.count(row) != 0; }
 
     /// Returns whether the row is a member: more than one function makes or reads it.
     bool member(const std::string& row) const { return functions_.at(row).size() > 1; }
 
+    std::vector<std::string> rows() const {
+        std::vector<std::string> rows;
+        for (const auto& of : functions_) rows.push_back(of.first);
+        return rows;
+    }
     std::vector<std::string> members() const {
         std::vector<std::string> rows;
         for (const auto& [row, functions] : functions_) {
@@ -65,10 +73,10 @@ class RowNames {
     void uses(const std::string& row, Function function) { functions_[row].insert(function); }
 
     void look_at(const ref::TableLine& line, const std::string& section) {
-        const Function function = section == "load"     ? kLoad
-                                  : section == "next"   ? kStep
-                                  : section == "sample" ? kSample
-                                                        : kExpand;
+        static const std::map<std::string, Function> kOf{{"load", kLoad},    {"anchor", kAnchor},
+                                                         {"order", kOrders}, {"next", kStep},
+                                                         {"carry", kCarry},  {"sample", kSample}};
+        const Function function = kOf.at(section);
         const bool order = section == "order";
         uses(line.row, function);
         if (order || line.order.value_or(0) > 0) arrays_.insert(line.row);
@@ -93,7 +101,8 @@ class RowNames {
         if (at <= 0) return;
         arrays_.insert(of.row);
         // An order that no line of `anchor` has made so far is that of the step before.
-        if (function == kExpand && made_.count({of.row, at}) == 0) uses(of.row, kLoad);
+        if ((function == kAnchor || function == kOrders) && made_.count({of.row, at}) == 0)
+            uses(of.row, kLoad);
     }
 
     const ref::CurveTable& table_;

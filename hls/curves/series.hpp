@@ -13,11 +13,12 @@ inline namespace CURVECORE_STORAGE {
 
 /// A power series in the path, of six orders.
 template <class C>
-class SeriesCurve : private CurveSteps<C> {
+class SeriesCurve : protected CurveSteps<C> {
     using Steps = CurveSteps<C>;
     using Steps::before;
     using Steps::down;
     using Steps::even;
+    using Steps::keep;
     using Steps::lifted;
     using Steps::named;
     using Steps::odd;
@@ -35,7 +36,7 @@ class SeriesCurve : private CurveSteps<C> {
     static constexpr int kFurther = 9;  // words of a segment that are the table's own
 
     SeriesCurve() = default;
-    explicit SeriesCurve(const C& format) : Steps(format) {}
+    explicit SeriesCurve(const C& format) : Steps(format, "series", rows()) {}
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -48,13 +49,15 @@ class SeriesCurve : private CurveSteps<C> {
             c2_[axis] = segment.normal[axis];
             c1_[axis] = segment.tangent[axis];
         }
-        expand();
+        anchor();
+        orders();
     }
 
     /// Moves on to the next integration step.
     void step() {
         Steps::move_auxiliary();
-        expand();
+        anchor();
+        orders();
     }
 
     /// Sets the fine position at an offset of quanta into the present step.
@@ -62,43 +65,48 @@ class SeriesCurve : private CurveSteps<C> {
         const Coef tau = Steps::tau_of(offset);
         Coef d[3];
         for (int axis = 0; axis < 3; ++axis) {
-            d[axis] = Steps::in_tau(x_[axis], tau);
+            d[axis] = Steps::in_tau(Row::x_, x_[axis], tau);
         }
         Steps::draw(d, tau, out);
     }
 
-  private:
-    void expand() {
+  protected:  // the words of a step
+    /// Makes what a step begins with.
+    void anchor() {
         for (int axis = 0; axis < 3; ++axis) {
             // x[k].1 : -2 = c1[k]
-            x_[axis][1] = Coef(c1_[axis]);
+            x_[axis][1] = keep(Row::x_, 1, Coef(c1_[axis]));
             // x[k].2 : -2 = c2[k]
-            x_[axis][2] = Coef(c2_[axis]);
+            x_[axis][2] = keep(Row::x_, 2, Coef(c2_[axis]));
         }
         if (C::kOrder >= 3) {
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k].3 : -2 = c3[k]
-                x_[axis][3] = Coef(c3_[axis]);
+                x_[axis][3] = keep(Row::x_, 3, Coef(c3_[axis]));
             }
         }
         if (C::kOrder >= 4) {
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k].4 : -2 = c4[k]
-                x_[axis][4] = Coef(c4_[axis]);
+                x_[axis][4] = keep(Row::x_, 4, Coef(c4_[axis]));
             }
         }
         if (C::kOrder >= 5) {
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k].5 : -2 = c5[k]
-                x_[axis][5] = Coef(c5_[axis]);
+                x_[axis][5] = keep(Row::x_, 5, Coef(c5_[axis]));
             }
         }
         if (C::kOrder >= 6) {
             for (int axis = 0; axis < 3; ++axis) {
                 // x[k].6 : -2 = c6[k]
-                x_[axis][6] = Coef(c6_[axis]);
+                x_[axis][6] = keep(Row::x_, 6, Coef(c6_[axis]));
             }
         }
+    }
+
+    /// Makes the orders of a step's series.
+    void orders() {
     }
 
     Coef c1_[3] = {};                             // CoefBits -2 fraction bits: +-2
@@ -108,6 +116,22 @@ class SeriesCurve : private CurveSteps<C> {
     Coef c5_[3] = {};                             // CoefBits -2 fraction bits: +-2
     Coef c6_[3] = {};                             // CoefBits -2 fraction bits: +-2
     Coef x_[3][C::kMostOrder + 1] = {};           // CoefBits -2 fraction bits: +-2
+
+  private:
+    enum class Row { c1_, c2_, c3_, c4_, c5_, c6_, x_ };
+    /// Names and fraction bits of the rows, for a format that notes their ranges.
+    static const WordRow* rows() {
+        static constexpr WordRow kRows[] = {
+            {"c1", -2},
+            {"c2", -2},
+            {"c3", -2},
+            {"c4", -2},
+            {"c5", -2},
+            {"c6", -2},
+            {"x", -2},
+            {nullptr, 0}};
+        return kRows;
+    }
 };
 
 }  // namespace CURVECORE_STORAGE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Top of the HLS of hls/spline_kernel.hpp.
-#include "hls/spline_kernel.hpp"
+// Top of the HLS of hls/curves/spline.hpp.
+#include "hls/curves/spline.hpp"
+
 #include "hls/top/segment_top.hpp"
 
 namespace curvecore {
@@ -8,7 +9,7 @@ namespace hls {
 
 extern "C" void spline_hls(const SegmentFrame<TopConfiguration>& words,
                            const Word<kLengthBits + 1>& sigma, FinePosition& fine) {
-    draw_sample<SplineKernel<TopConfiguration>>(words, sigma, fine);
+    draw_sample<SplineCurve<TopConfiguration>>(words, sigma, fine);
 }
 
 }  // namespace hls

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bounds, term by term, in the order in which hls/spherical_kernel.hpp makes the errors.
+// The bounds, term by term, in the order in which hls/curves/arc.hpp makes the errors.
 //
 // Letters: W coefficient width, P order, G guard bits; h = 2^k units per step; theta = h phi, the
 // angle of a step; x = length / h, steps in the segment; m = ceil(x) - 1, steps completed before

@@ -107,6 +107,7 @@ struct TracedWords {
     TracedNumber rounded(const TracedNumber& sum, int fraction) const {
         return nearest(sum, coef_bits + fraction);
     }
+    int guard() const { return 0; }
     TracedNumber position(const TracedNumber& sum) const { return nearest(sum, guard_bits); }
     TracedNumber weight(int i) const {
         const int bits = coef_bits - 1;

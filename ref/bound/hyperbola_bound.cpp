@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound, term by term, in the order in which hls/hyperbola_kernel.hpp makes the errors.
+// The bound, term by term, in the order in which hls/curves/hyperbola.hpp makes the errors.
 //
 // Letters: P order; y the exact h / (t0 + t) at a step's start, Y at least its word; u = half a
 // last bit; C how far z + y^2 of the words may be from 0: with Anchor = 1 z is made from y, and C =

@@ -6,7 +6,7 @@
 
 namespace curvecore::ref {
 
-/// Errors of y, in the kernel's unit: of h / (t0 + t) for steps of h (hls/hyperbola_kernel.hpp).
+/// Errors of y, in the kernel's unit: of h / (t0 + t) for steps of h (hls/curves/hyperbola.hpp).
 ///
 /// | field      | meaning                                                         |
 /// |------------|-----------------------------------------------------------------|

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound, term by term, in the order in which hls/spline_kernel.hpp makes the errors.
+// The bound, term by term, in the order in which hls/curves/spline.hpp makes the errors.
 //
 // Letters: W coefficient width, P order, G guard bits; L = 2^lambda units; h = 2^k units per step;
 // f, the fraction of a step that the segment uses; T = V / |V|.

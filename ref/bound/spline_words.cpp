@@ -16,7 +16,7 @@ constexpr int kR = -5;
 
 constexpr int kNoWord = 99;
 
-/// The words of a node, hls/spline_network.hpp: fraction bits of its D_i and of its x_i, and the
+/// The words of a node, hls/curves/spline.hpp: fraction bits of its D_i and of its x_i, and the
 /// order, below Order, up to which they are made.
 struct NodeWords {
     int rate = kNoWord;

@@ -19,7 +19,7 @@ inline double half_bit(int frac) { return std::ldexp(0.5, -frac); }
 /// The part that must be shorter so that every word keeps its range.
 enum class Shorten { kNothing, kSteps, kPiece };
 
-/// The network of Fig. 10 about a point v, in a step's own scale (hls/spline_network.hpp): tau = s
+/// The network of Fig. 10 about a point v, in a step's own scale (hls/curves/spline.hpp): tau = s
 /// / h runs over a step of h = 2^k units, q = (v' - v) 2^lambda / h is its parameter, W and 6a'
 /// carry h / 2^lambda and its square. Drawn by the network's table in an arithmetic that carries
 /// errors.
@@ -28,7 +28,7 @@ enum class Shorten { kNothing, kSteps, kPiece };
 /// that is no power of two half a last bit of its own. Each word is held against its range: those
 /// of the anchor, of every order, the sums handed on to the next step, and a sample's.
 ///
-/// For Anchor = 1. Source: lines 1 .. 11 and the sample of hls/spline_kernel.hpp.
+/// For Anchor = 1. Source: lines 1 .. 11 and the sample of hls/curves/spline.hpp.
 class SplineWords : public Exact {
   public:
     using State = SplineState<Enclosed>;

@@ -24,7 +24,7 @@ namespace curvecore::ref {
 ///     r(s) = r0 cos(s/R) + f0 sin(s/R)        f(s) = f0 cos(s/R) - r0 sin(s/R)
 ///
 /// Error: roundings of Real, in double |s| 2^-52 for the angle and R 2^-51 for the rest.
-/// Twins: kSpherical in ref/series/figures.hpp, hls/spherical_kernel.hpp.
+/// Twins: kSpherical in ref/series/figures.hpp, hls/curves/arc.hpp.
 /// Source: [Chikurov] (16)-(19).
 template <class Real>
 class GreatCircle {

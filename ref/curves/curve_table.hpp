@@ -18,10 +18,12 @@
 //                anchor  first in every step: order 0, or an order that is named
 //                order   then order by order, as far as each row is needed
 //                next    from step to step
+//                carry   with Anchor 0, in place of `anchor`, in every step but the first
 //                sample  d[k] of the polynomial mode; in series mode horner(OUTPUT[k])
 //
 // move[k] is what a step moves the origin by, in units of 2^k; place[k] where the origin lies from
-// the segment's start, in units of 2^lambda; s = lambda - k.
+// the segment's start, in units of 2^lambda; s = lambda - k. In `carry` a step whose samples are of
+// the series is moved, one whose samples are of lines is placed.
 #pragma once
 
 #include <algorithm>
@@ -116,10 +118,13 @@ struct CurveTable {
     std::string output;
     std::map<std::string, CurveRow> rows;
     std::map<std::string, std::string> bus;  // row by its place of the bus
+    std::set<std::string> guarded;           // rows with ParameterGuard fraction bits more
     std::map<std::string, std::vector<TableLine>> sections;
     std::map<std::string, int> said_powers;  // of rows whose power no line says
     std::map<std::string, int> powers = {};  // row_powers(), of a table that programs name
 
+    /// Returns whether it draws nothing: its words are all that there is.
+    bool network() const { return bus.empty() && output.empty(); }
     /// Words of a segment that are of the table alone.
     int further_words() const {
         int count = 0;
@@ -135,6 +140,8 @@ struct CurveTable {
         const auto found = sections.find(of);
         return found == sections.end() ? kNone : found->second;
     }
+    /// Returns whether steps carry their rows where the core's Anchor says so.
+    bool carries(bool anchored) const { return !anchored && !section("carry").empty(); }
     /// Returns whether samples are drawn by lines of `sample`; else by the series of the output.
     bool samples_by_lines(bool polynomial) const {
         return polynomial && !section("sample").empty();

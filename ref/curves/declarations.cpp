@@ -93,6 +93,11 @@ void Declarations::line(const std::string& key, const std::vector<std::string>& 
         for (const std::string& name : items) {
             known(name, place).polished = true;
         }
+    } else if (key == "guard") {
+        pairs(1);
+        for (const std::string& name : items) {
+            table_.guarded.insert(name);
+        }
     } else if (key == "alias") {
         pairs(2);
         const RowOperand rate = read_row_operand(items[0], place);

@@ -21,7 +21,9 @@ bool meet_as_series(const CurveTable& table, const TableTerm& term) {
     return term.meeting == TableTerm::Meeting::kProduct && series(term.a) && series(term.b);
 }
 
-std::map<std::string, int> order_demand(const CurveTable& table, int order, bool polynomial) {
+std::map<std::string, int> order_demand(const CurveTable& table, int order, bool polynomial,
+                                        bool anchored) {
+    const bool carries = table.carries(anchored);
     std::map<std::string, int> needed;
     bool changed = true;
     const auto want = [&](const RowOperand& read, int i) {
@@ -34,17 +36,21 @@ std::map<std::string, int> order_demand(const CurveTable& table, int order, bool
     };
     const auto carried = [&](const TableLine& line) {
         if (line.function != TableLine::Function::kTerms) {
-            want(line.series, order - (table.rows.at(line.series.row).polished ? 1 : 0));
+            const bool polished = !carries && table.rows.at(line.series.row).polished;
+            want(line.series, order - (polished ? 1 : 0));
         }
     };
     for (const TableLine& line : table.section("next")) {
         carried(line);
     }
+    for (const TableLine& line : table.section(carries ? "carry" : "")) {
+        if (line.row != "move" || !table.samples_by_lines(polynomial)) carried(line);
+    }
     if (table.samples_by_lines(polynomial)) {
         for (const TableLine& line : table.section("sample")) {
             carried(line);
         }
-    } else {
+    } else if (!table.network()) {
         RowOperand output;
         output.row = table.output;
         want(output, order);

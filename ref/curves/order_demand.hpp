@@ -11,8 +11,9 @@
 namespace curvecore::ref {
 
 /// Highest order of each row of a series that is needed for one of Order; rows that are not needed
-/// are not there. `polynomial`: the mode of the sampler.
-std::map<std::string, int> order_demand(const CurveTable& table, int order, bool polynomial);
+/// are not there. `polynomial`: the mode of the sampler; `anchored`: the core's Anchor.
+std::map<std::string, int> order_demand(const CurveTable& table, int order, bool polynomial,
+                                        bool anchored = true);
 
 /// Returns the row that a row stands for, with the orders that it is lower by.
 RowOperand same_row(const CurveTable& table, RowOperand operand);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ inline void check_places(const CurveTable& table) {
             const auto of = sections.find(line.row);
             if (of == sections.end()) continue;
             const Place place{table.file, line.number};
-            if (of->second != section) {
+            const bool goes_on = section == "carry" && line.row != "d";
+            if (of->second != section && !goes_on) {
                 place.refuse(line.row + " is made in `" + of->second + "`");
             }
             if (!line.of_axis) place.refuse(line.row + " is a row of each axis");
@@ -46,6 +48,44 @@ inline void check_places(const CurveTable& table) {
         const std::string& of = output ? table.output : name;
         Place{table.file, table.rows.at(of).line}.refuse(
             of + " is a place in the step: its fraction is -2");
+    }
+}
+
+/// Checks that the guarded rows are what `next` makes of each other, or of a row `>> s`.
+/// @throws InputError
+inline void check_guards(const CurveTable& table, const Place& end) {
+    const auto guarded = [&](const std::string& row) { return table.guarded.count(row) != 0; };
+    const auto alike = [&](const TableLine& line, const TableTerm& term) {
+        return term.meeting == TableTerm::Meeting::kAlone && term.halvings == 0 &&
+               std::abs(term.number) == 1 && guarded(term.a.row) &&
+               table.rows.at(term.a.row).fraction == line.fraction;
+    };
+    for (const std::string& row : table.guarded) {
+        if (table.rows.count(row) == 0) end.refuse("guard: no line makes " + row);
+    }
+    const auto wide = [&](const RowOperand& of) {  // it has no word without its guard bits
+        return guarded(of.row) && !table.rows.at(of.row).start;
+    };
+    for (const auto& [section, lines] : table.sections) {
+        for (const TableLine& line : lines) {
+            if (!guarded(line.row)) {
+                for (const TableTerm& term : line.terms) {
+                    if (!wide(term.a) && !wide(term.b)) continue;
+                    Place{table.file, line.number}.refuse(
+                        "a guarded row that is not carried is read by guarded rows alone");
+                }
+                continue;
+            }
+            const bool down = line.down != 0 && !guarded(line.terms.front().a.row);
+            const bool sum = line.function == TableLine::Function::kTerms &&
+                             std::all_of(line.terms.begin(), line.terms.end(),
+                                         [&](const TableTerm& term) { return alike(line, term); });
+            if (section == "next" && !line.of_axis && (down || sum)) continue;
+            Place{table.file, line.number}.refuse(
+                line.row +
+                " is guarded: a line of `next` makes it, a sum of guarded rows or one "
+                "other row >> s");
+        }
     }
 }
 

@@ -24,6 +24,8 @@ struct Unrounded {
     Number weight(int i) const { return Number(1) / i; }
     /// A position, in length units.
     Number position(const Number& sum) const { return sum; }
+    /// Fraction bits that a guarded row has more.
+    int guard() const { return 0; }
 };
 
 /// Draws a segment step by step. A step is 2^k length units, tau its part that is drawn.
@@ -39,14 +41,15 @@ class TableMachine {
   public:
     using Axes = std::array<Number, 3>;
 
-    /// Orders from 1 on; `polynomial`: the mode of the sampler.
+    /// Orders from 1 on; `polynomial`: the mode of the sampler; `anchored`: the core's Anchor.
     TableMachine(const CurveTable& table, int order, bool polynomial,
-                 const Arithmetic& arithmetic = {})
+                 const Arithmetic& arithmetic = {}, bool anchored = true)
         : table_(table),
           order_(order),
           by_lines_(table.samples_by_lines(polynomial)),
+          carries_(table.carries(anchored)),
           arithmetic_(arithmetic),
-          demand_(order_demand(table, order, polynomial)) {
+          demand_(order_demand(table, order, polynomial, anchored)) {
         for (const auto& [name, row] : table.rows) {
             Row& made = rows_[name];
             for (auto& axis : made.at) axis.assign(static_cast<std::size_t>(order) + 1, Number(0));
@@ -64,7 +67,7 @@ class TableMachine {
         begin(start, k, lambda);
         open();
     }
-    /// The same without the step: open() makes it.
+    /// The same without the step: open() makes it, of an anchored one.
     void begin(const Axes& start, int k, int lambda) {
         start_ = origin_ = start;
         k_ = k;
@@ -78,13 +81,19 @@ class TableMachine {
     /// Goes on to the next step.
     void step() {
         leave();
-        open();
+        if (!carries_) return open();
+        lines("carry");
+        orders();
     }
 
     /// Makes what a segment and a step begin with, of the rows that are set and carried.
     void open() {
         lines("load");
         lines("anchor");
+        orders();
+    }
+    /// Makes the orders of a step.
+    void orders() {
         for (int i = 1; i <= order_; ++i) {
             for (const TableLine& line : table_.section("order")) {
                 const auto needed = demand_.find(line.row);
@@ -153,8 +162,9 @@ class TableMachine {
         });
     }
 
-    void lines(const char* section) {
+    void lines(const std::string& section) {
         for (const TableLine& line : table_.section(section)) {
+            if (section == "carry" && line.row == (by_lines_ ? "move" : "place")) continue;
             run(line, 0);
             const auto& made = rows_.at(line.row).at;
             for (int axis = 0; axis < 3; ++axis) {
@@ -171,6 +181,7 @@ class TableMachine {
         const auto order = static_cast<std::size_t>(line.order.value_or(i));
         Axes made{};
         const bool axes = line.of_axis || line.adds_axes;
+        guarded_ = table_.guarded.count(line.row) != 0;
         for (int axis = 0; axis < (axes ? 3 : 1); ++axis) made[axis] = result(line, i, axis);
         if (line.adds_axes) made[0] += made[1] + made[2];
         for (int axis = 0; axis < (line.of_axis ? 3 : 1); ++axis) {
@@ -201,7 +212,8 @@ class TableMachine {
                           line.function == Function::kEven ? 2 : 1,
                           line.function != Function::kOdd);
         }
-        return arithmetic_.rounded(scaled(sum, -line.down * down_), line.fraction);
+        const int fraction = line.fraction + (guarded_ ? arithmetic_.guard() : 0);
+        return arithmetic_.rounded(scaled(sum, -line.down * down_), fraction);
     }
 
     /// The sum of orders last, last + by .. times powers of x, and once more by x.
@@ -236,18 +248,22 @@ class TableMachine {
         return sum;
     }
 
-    /// An order of a row, as the rows before have it; 0 of what no line makes.
+    /// An order of a row, as the rows before have it; 0 of what no line makes. Of a guarded row
+    /// only guarded ones read the bits that it has more.
     Number entry(const RowOperand& operand, int i, int axis) const {
         const RowOperand of = same_row(table_, operand);
         const CurveRow& row = table_.rows.at(of.row);
         const int order = row.series ? of.order.value_or(i) - of.primes : 0;
-        return order < 0 || order > order_ ? Number(0)
-                                           : value(of.row, order, row.of_axis ? axis : 0);
+        if (order < 0 || order > order_) return Number(0);
+        const Number& all = value(of.row, order, row.of_axis ? axis : 0);
+        const bool cut = arithmetic_.guard() != 0 && !guarded_ && table_.guarded.count(of.row) != 0;
+        return cut ? arithmetic_.rounded(all, row.fraction) : all;
     }
 
     const CurveTable& table_;
     int order_;
     bool by_lines_;  // samples
+    bool carries_;   // Anchor 0
     Arithmetic arithmetic_;
     std::map<std::string, int> demand_;
     std::map<std::string, Row> rows_;
@@ -255,7 +271,8 @@ class TableMachine {
     Axes origin_{};
     int k_ = 0;
     int lambda_ = 0;
-    int down_ = 0;  // s
+    int down_ = 0;          // s
+    bool guarded_ = false;  // the line that is run
 };
 
 }  // namespace curvecore::ref

@@ -14,7 +14,7 @@
 namespace curvecore::ref {
 namespace {
 
-const std::vector<std::string> kSections{"load", "anchor", "order", "next", "sample"};
+const std::vector<std::string> kSections{"load", "anchor", "order", "next", "carry", "sample"};
 constexpr int kMostOrder = 12;
 
 class Reader {
@@ -52,14 +52,15 @@ class Reader {
         if (table_.name.empty()) {
             place.refuse("no line `curve NAME`");
         }
-        if (table_.output.empty() || table_.rows.count(table_.output) == 0) {
+        if (!table_.network() && (table_.output.empty() || table_.rows.count(table_.output) == 0)) {
             place.refuse("no line `output NAME` of a row that a line makes");
         }
         for (const auto& [name, line] : declarations_.in_order()) {
             if (!row(name).series) Place{table_.file, line}.refuse(name + " has no orders");
         }
-        place_in_step(place);
+        if (!table_.network()) place_in_step(place);
         check_places(table_);
+        check_guards(table_, place);
         check_orders(table_);
         int words = 0;  // further ones that have a row
         for (const auto& [field, row] : table_.bus) {
@@ -69,7 +70,8 @@ class Reader {
             place.refuse("further words without a row before the last one");
         }
         for (const auto& [name, row] : table_.rows) {
-            if ((row.word || (row.start && !row.value)) && !on_bus(name)) {
+            const bool given = row.word || (row.start && !row.value);
+            if (given && !table_.network() && !on_bus(name)) {
                 place.refuse(name + " comes from no word of the bus");
             }
         }
@@ -128,8 +130,8 @@ class Reader {
             }
         }
         if (line.function != TableLine::Function::kTerms) {
-            if (section_ != "next" && section_ != "sample") {
-                place.refuse("the orders are whole in `next` and `sample` alone");
+            if (section_ != "next" && section_ != "carry" && section_ != "sample") {
+                place.refuse("the orders are whole in `next`, `carry` and `sample` alone");
             }
             if (line.series.primes > 0 || line.series.order) {
                 place.refuse("a function takes all orders of its row");
@@ -221,6 +223,12 @@ class Reader {
 }  // namespace
 
 CurveTable read_curve_text(const std::string& file, const std::string& text) {
+    CurveTable table = read_network_text(file, text);
+    if (table.network()) Place{file, 1}.refuse("a network alone: it has no `output` to draw");
+    return table;
+}
+
+CurveTable read_network_text(const std::string& file, const std::string& text) {
     CurveTable table;
     table.file = file;
     Reader reader(table);

@@ -3,6 +3,7 @@
 //
 //     curve NAME title         word NAME[3] FRACTION ..      start NAME[3] FRACTION ..
 //     const NAME FRACTION VALUE          output NAME         polished NAME ..
+//     guard NAME ..            rows that `next` makes with ParameterGuard fraction bits more
 //     alias Dq phi'            a rate that is another row, an order lower
 //     bus FIELD NAME ..        where the words come from: theta tangent normal advance, and what
 //                              needs more from further.0, further.1 ..
@@ -20,5 +21,9 @@ CurveTable read_curve_table(const std::string& file);
 
 /// Reads a table from text; `file` names it in errors.
 CurveTable read_curve_text(const std::string& file, const std::string& text);
+
+/// The same of a table that may be a network alone: without a bus and an output, its words and
+/// start values are given.
+CurveTable read_network_text(const std::string& file, const std::string& text);
 
 }  // namespace curvecore::ref

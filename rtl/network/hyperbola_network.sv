@@ -3,7 +3,7 @@
 //
 //     dy = z dtau        dz = -2 y dy
 //
-// in steps of h, tau = t / h, y as h k y, z as h^2 k z.  Twin: hls/hyperbola_kernel.hpp, which has
+// in steps of h, tau = t / h, y as h k y, z as h^2 k z.  Twin: hls/curves/hyperbola.hpp, which has
 // the words' formats.  Terms are {there, order, coefficient}.
 //
 //   cycle         0         1                    then

@@ -3,7 +3,7 @@
 //
 //     dy/ds = phi z        dz/ds = -phi y
 //
-// Twin: hls::Oscillator.  Words: CoefBits, CoefBits - 2 fraction bits.
+// Twin: hls::SineCosineNetwork.  Words: CoefBits, CoefBits - 2 fraction bits.
 `default_nettype none
 module sine_cosine_network #(
     parameter int CoefBits = 36  // [18, 36]

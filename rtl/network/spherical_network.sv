@@ -4,7 +4,7 @@
 //     x y z   the unit vector n from the circle's centre      dn/ds =  phi t
 //     F G H   the unit tangent t = B x n                      dt/ds = -phi n
 //
-// both times cos(pitch).  Twin: hls/spherical_kernel.hpp.  Words: CoefBits, CoefBits - 2 fraction
+// both times cos(pitch).  Twin: hls/curves/arc.hpp.  Words: CoefBits, CoefBits - 2 fraction
 // bits.  The sequencer's cycles apply to all: on the outputs are the coefficients of one order.
 `default_nettype none
 module spherical_network #(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integration steps along lines, arcs and helices: sequencer, network and origins.
-// Twin: SphericalKernel::load and ::step in hls/spherical_kernel.hpp.
+// Twin: ArcCurve::load and ::step in hls/curves/arc.hpp.
 //
 // A step lasts (rtl/control/taylor_sequencer.sv)
 //

@@ -6,7 +6,7 @@
 //     dq = phi dtau    dW = 6a' dq    dV = W dq    dP = V.dV    dphi = Q dP    dQ = R dphi
 //     R = -3 phi^2     [dx = V dq]
 //
-// Twin: hls/spline_network.hpp, which has the words' formats.  Between the nodes run series, term
+// Twin: hls/curves/spline.hpp, which has the words' formats.  Between the nodes run series, term
 // after term, {there, order, coefficient}; dV, dP, dphi are D = i times the coefficient.
 //
 // A step: the words of order 0 (and 6a') by their pulses in load_i from initial_i, or all but 6a'

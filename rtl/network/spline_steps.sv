@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integration steps along splines: anchor, network and origins.
-// Twin: SplineKernel::load and ::step in hls/spline_kernel.hpp.
+// Twin: SplineCurve::load and ::step in hls/curves/spline.hpp.
 //
 // Cycles from start_i on:
 //

@@ -15,7 +15,7 @@
 //
 // There are four passes of n clocks each.  u[n-1] and s[First] are read first, u[0] and
 // s[First+n-1] last: a word written in cycle c may be read in c+1, so the newest s in cycle n+1.
-// Reset acts as series_state's.  Twin: hls/series_node.hpp.
+// Reset acts as series_state's.  Twin: hls/curves/curve_steps.hpp.
 `default_nettype none
 module series_product #(
     parameter int Bits          = 36,  // [18, 36]

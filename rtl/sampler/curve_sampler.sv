@@ -6,7 +6,7 @@
 //   Mode 1   polynomial_sampler for lines and arcs, spline_sampler for splines; with both the first
 //            waits, and each sample takes the one of its bank's kind
 //
-// Twins: hls/spherical_kernel.hpp, hls/spline_kernel.hpp.
+// Twins: hls/curves/arc.hpp, hls/curves/spline.hpp.
 //
 //   clock           0                   curvecore_pkg::sampler_latency(Curves, Mode, Order, ..)
 //   phase_i         0

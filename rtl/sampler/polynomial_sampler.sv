@@ -4,7 +4,7 @@
 //     sine = y_1 + y_3 tau2 + ..     versine = z_2 tau2 + z_4 tau2^2 + ..     (y_1 = 1)
 //     d = (t sine + advance) tau + n versine
 //
-// Twin: hls/spherical_kernel.hpp, polynomial mode.
+// Twin: hls/curves/arc.hpp, polynomial mode.
 //
 //   clock           0        5    B = 5 + Lv      B+1      B+Offset    B+1+Offset    Latency
 //                   tau_i    tau2 versine, sine   t sine   n versine   rate tau      d_o, tag_o

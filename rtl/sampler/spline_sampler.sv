@@ -4,7 +4,7 @@
 //     q = ((q_P tau + ..) tau + q_1) tau
 //     d = ((a' q + B') q + V) q                                         for each axis
 //
-// Twin: hls/spline_kernel.hpp, polynomial mode.
+// Twin: hls/curves/spline.hpp, polynomial mode.
 //
 //   clock           0        Latency = horner_latency(Order) + horner_latency(3)
 //   phase_i         0

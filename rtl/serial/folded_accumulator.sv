@@ -19,7 +19,7 @@ module folded_accumulator #(
     output logic                              below_o
 );
 
-  // The sum has at most 13 products of words: hls/series_node.hpp.
+  // The sum has at most 13 products of words: hls/curves/curve_steps.hpp.
   localparam int SumBits = 2 * CoefBits + 4;
   localparam int Lowest = CoefBits - 7;  // the bit below the shortest shift
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Powers of two for a spline's scalings by 2^-s, s = lambda - k, as products (scaled_down in
-// hls/series_node.hpp): x 2^Lift / 2^shift is rounded with a shift by CoefBits - 1 of x 2^(CoefBits
-// - 1 - e), e = shift - Lift, if that is a word, else with one by CoefBits - 6 of x 2^(CoefBits - 6
-// - e).  The unused power is 0, as are both for e >= CoefBits: no word is then as large as one
-// half.
+// hls/curves/curve_steps.hpp): x 2^Lift / 2^shift is rounded with a shift by CoefBits - 1 of
+// x 2^(CoefBits - 1 - e), e = shift - Lift, if that is a word, else with one by CoefBits - 6 of
+// x 2^(CoefBits - 6 - e).  The unused power is 0, as are both for e >= CoefBits: no word is then as
+// large as one half.
 //
 //   place_o    0, 1    2, 3    4, 5      6, 7
 //   e          s - 1   s - 4   2 s - 1   2 s - 4      first the power for CoefBits - 1

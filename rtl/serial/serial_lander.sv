@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Origins and samples from displacements, one axis at a time; twin: hls/spherical_kernel.hpp.
+// Origins and samples from displacements, one axis at a time; twin: hls/curves/arc.hpp.
 //
 //     fine = land ? end : origin + floor(d 2^k 2^GuardBits + 1/2)
 //

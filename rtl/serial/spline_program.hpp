@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubics at constant path speed as a program for one multiplier: [Chikurov] Fig. 10 with anchors,
-// every word as in hls/spline_kernel.hpp and hls/spline_network.hpp. A Stieltjes node is one word
+// every word as in hls/curves/spline.hpp. A Stieltjes node is one word
 // per order, which the sequencer repeats for every product.
 #pragma once
 

@@ -14,8 +14,7 @@ KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settin
       profile_{static_cast<std::size_t>(depths.profile), {}},
       scaler_(settings.hold_acceleration, static_cast<std::int64_t>(settings.hold_slope)),
       share_(settings.samples_per_tick_log2),
-      ranges_(core.coef_bits),
-      format_(core, core.axes(), &ranges_),
+      format_(core, core.axes()),
       kernel_(format_) {}
 
 std::size_t KernelBoard::write(Stream stream, const std::uint64_t* words, std::size_t count) {

@@ -65,7 +65,6 @@ class KernelBoard : public Board {
     hls::StopSchedule stops_;
     hls::PathKernel path_;
     hls::SampleShare share_;
-    ValueRanges ranges_;
     const RunTimeFormat format_;
     RunTimeKernel kernel_;
     std::uint64_t requested_ = 0;

@@ -31,24 +31,21 @@ Json optional_json(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// Value ranges by variable: the word's limits, and for each order the range met and the bits to
-/// spare in its word; a negative number counts missing bits.
+/// Value ranges by curve and row: the word's limits, and for each order the range met and the bits
+/// to spare in its word; a negative number counts missing bits.
 Json ranges_json(const ValueRanges& ranges) {
     Json json = Json::object();
-    for (std::size_t v = 0; v < kVariables; ++v) {
-        const auto variable = static_cast<Variable>(v);
-        const VariableFormat& format = variable_format(variable);
-        const int frac = ranges.coef_bits() + format.frac;
+    for (const RowRanges& row : ranges.rows()) {
         Json low = Json::array();
         Json high = Json::array();
         Json spare = Json::array();
         bool met = false;
-        for (int order = 0; order <= hls::kMostOrder; ++order) {
-            const ValueRange& range = ranges.range(variable, order);
+        for (const ValueRange& range : row.orders) {
             const bool some = !range.empty();
             met = met || some;
             const auto real = [&](std::int64_t word) {
-                return some ? Json(std::ldexp(static_cast<double>(word), -frac)) : Json(nullptr);
+                const int bits = ranges.coef_bits() + row.fraction;
+                return some ? Json(std::ldexp(static_cast<double>(word), -bits)) : Json(nullptr);
             };
             low.push_back(real(range.low));
             high.push_back(real(range.high));
@@ -58,11 +55,10 @@ Json ranges_json(const ValueRanges& ranges) {
         while (low.back().is_null()) {
             for (Json* list : {&low, &high, &spare}) list->get_ref<Json::array_t&>().pop_back();
         }
-        json[format.name] = {{"network", format.spline ? "spline" : "arc"},
-                             {"word", std::ldexp(1.0, -format.frac - 1)},
-                             {"low", low},
-                             {"high", high},
-                             {"spare_bits", spare}};
+        json[row.curve][row.row] = {{"word", std::ldexp(1.0, -row.fraction - 1)},
+                                    {"low", low},
+                                    {"high", high},
+                                    {"spare_bits", spare}};
     }
     return json;
 }

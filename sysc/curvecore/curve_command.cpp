@@ -185,7 +185,8 @@ int derive(CurveOptions& asked) {
 int kernel(CurveOptions& asked) {
     if (asked.has_formulas()) throw UsageError("--x --y --z: of run and derive");
     const std::string file = table_file("FILE", asked.part.options.file);
-    fmt::print("{}", hls::kernel_text(ref::read_curve_table(file), ref::read_text_file(file)));
+    const std::string text = ref::read_text_file(file);
+    fmt::print("{}", hls::kernel_text(ref::read_network_text(file, text), text));
     return 0;
 }
 

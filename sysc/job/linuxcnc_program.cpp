@@ -14,25 +14,24 @@ namespace curvecore::sysc {
 namespace fs = std::filesystem;
 namespace {
 
-using Json = nlohmann::json;
 using Target = ref::CanonicalMoves::Target;
 using PathControl = ref::CanonicalMoves::PathControl;
 
-ref::Vec3 vector(const Json& list) {
+ref::Vec3 vector(const nlohmann::json& list) {
     const auto values = list.get<std::array<double, 3>>();
     return {values[0], values[1], values[2]};
 }
 
-Target target(const Json& call) {
+Target target(const nlohmann::json& call) {
     return {call.at("line"), call.at("to").get<ref::Point>(), call.value("feed", 0.0),
             call.at("kind") == "rapid"};
 }
 
-ref::Nurbs nurbs(const Json& call) {
+ref::Nurbs nurbs(const nlohmann::json& call) {
     ref::Nurbs curve;
     curve.order = call.at("order");
     curve.weights = call.at("weights").get<std::vector<double>>();
-    for (const Json& point : call.at("points")) curve.points.push_back(vector(point));
+    for (const nlohmann::json& point : call.at("points")) curve.points.push_back(vector(point));
     return curve;
 }
 
@@ -80,15 +79,15 @@ bool LinuxcncProgram::read() {
     if (!line) refuse_end();
     ++lines_;
     try {
-        return carry_out(Json::parse(*line));
-    } catch (const Json::exception& error) {
+        return carry_out(nlohmann::json::parse(*line));
+    } catch (const nlohmann::json::exception& error) {
         moves_.refuse(
             fmt::format("the interpreter's line {} is not understood: {}", lines_, error.what()),
             0);
     }
 }
 
-bool LinuxcncProgram::carry_out(const Json& call) {
+bool LinuxcncProgram::carry_out(const nlohmann::json& call) {
     const std::string kind = call.at("kind");
     if (kind == "end") return false;
     if (kind == "error") moves_.refuse(call.at("text"), call.at("line"));

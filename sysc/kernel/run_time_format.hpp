@@ -14,7 +14,7 @@
 namespace curvecore::sysc {
 
 struct RunTimeFormat {
-    /// Creates the format; `axes`: at most 3 + AuxAxes; without `ranges` for packing only.
+    /// Creates the format; `axes`: at most 3 + AuxAxes; `ranges` notes what the words hold.
     RunTimeFormat(const CoreParameters& core, int axes, ValueRanges* ranges = nullptr)
         : kOrder(core.order),
           kCoefBits(core.coef_bits),
@@ -43,8 +43,14 @@ struct RunTimeFormat {
     static constexpr int kMostOrder = hls::kMostOrder;
     static constexpr int kMostAxes = 3 + ref::kAuxAxes;
 
-    Coef keep(hls::Variable variable, int order, Coef value) const {
-        return ranges_->keep(variable, order, value);
+    void note_rows(const char* curve, const hls::WordRow* rows) {
+        if (ranges_ != nullptr) first_row_ = ranges_->first_row(curve, rows);
+    }
+    /// The value without the bits that its word has not; noted before.
+    Coef keep(int row, int order, Coef value) const {
+        if (ranges_ != nullptr) ranges_->note(first_row_ + row, order, value);
+        const int left = 64 - kCoefBits;
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << left) >> left;
     }
 
     int kOrder, kCoefBits, kGuardBits, kParameterGuard, kAxes, kFineBits;
@@ -55,6 +61,7 @@ struct RunTimeFormat {
 
   private:
     ValueRanges* ranges_;
+    int first_row_ = 0;  // of the kernel's table
 };
 
 using RunSegment = hls::SegmentWords<RunTimeFormat>;

@@ -32,7 +32,8 @@ class TableKernel {
         : table_(table),
           coef_bits_(format.kCoefBits),
           guard_bits_(format.kGuardBits),
-          machine_(table, format.kOrder, !format.kSeries, {coef_bits_, guard_bits_}) {}
+          machine_(table, format.kOrder, !format.kSeries,
+                   {coef_bits_, guard_bits_, format.kParameterGuard}, format.kAnchor) {}
 
     void load(const RunSegment& words) {
         k_ = words.step_exponent;

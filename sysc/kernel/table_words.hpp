@@ -14,6 +14,7 @@ template <class Number>
 struct TableWords {
     int coef_bits = 36;
     int guard_bits = 10;
+    int parameter_guard = 0;
 
     Number rounded(const Number& sum, int fraction) const {
         return nearest(sum, coef_bits + fraction);
@@ -22,6 +23,7 @@ struct TableWords {
         const int bits = coef_bits - 1;
         return scaled(Number(hls::reciprocal(i, bits)), -bits);
     }
+    int guard() const { return parameter_guard; }
     Number position(const Number& sum) const { return nearest(sum, guard_bits); }
 
     /// The value with so many fraction bits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges of values that the words of a network held, variable by variable and order by order.
+// Ranges of values that the words of a curve's table held, row by row and order by order.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "hls/variables.hpp"
+#include "hls/configuration.hpp"
 
 namespace curvecore::sysc {
-
-using hls::Variable;
-constexpr std::size_t kVariables = static_cast<std::size_t>(Variable::kCount);
-
-/// Name in the report, and the word's fraction bits: CoefBits + `frac`.
-struct VariableFormat {
-    const char* name;
-    bool spline;
-    int frac;
-};
-const VariableFormat& variable_format(Variable variable);
 
 /// Least and greatest value of one word; empty: low > high.
 struct ValueRange {
@@ -38,31 +27,33 @@ struct ValueRange {
     int bits() const;
 };
 
+/// A row of a table, and the ranges of its orders.
+struct RowRanges {
+    std::string curve;
+    std::string row;
+    int fraction = 0;  // fraction bits of its words: CoefBits and so many
+    std::array<ValueRange, hls::kMostOrder + 1> orders{};
+};
+
 class ValueRanges {
   public:
     explicit ValueRanges(int coef_bits) : coef_bits_(coef_bits) {}
 
-    /// Notes a value and returns it as the word keeps it: bits beyond the width are cut off.
-    std::int64_t keep(Variable variable, int order, std::int64_t value) {
-        at(variable, order).add(value);
-        const int left = 64 - coef_bits_;
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << left) >> left;
+    /// Number of the first row of a curve's table; the others follow. `rows` end without a name.
+    int first_row(const std::string& curve, const hls::WordRow* rows);
+
+    void note(int row, int order, std::int64_t value) {
+        rows_[static_cast<std::size_t>(row)].orders[static_cast<std::size_t>(order)].add(value);
     }
 
-    const ValueRange& range(Variable variable, int order) const {
-        return ranges_[static_cast<std::size_t>(variable)][static_cast<std::size_t>(order)];
-    }
+    const std::vector<RowRanges>& rows() const { return rows_; }
     int coef_bits() const { return coef_bits_; }
     /// Number of bits that the worst word lacks; 0 when all hold their values.
     int missing() const;
 
   private:
-    ValueRange& at(Variable variable, int order) {
-        return ranges_[static_cast<std::size_t>(variable)][static_cast<std::size_t>(order)];
-    }
-
     int coef_bits_;
-    std::array<std::array<ValueRange, hls::kMostOrder + 1>, kVariables> ranges_;
+    std::vector<RowRanges> rows_;
 };
 
 }  // namespace curvecore::sysc

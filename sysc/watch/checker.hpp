@@ -47,7 +47,6 @@ class Checker {
     const double fine_unit_;
     const double chord_tolerance_;  // both ends off by the bound on every axis
     PathSource source_;
-    ValueRanges ranges_;
     const RunTimeFormat format_;
     RunTimeKernel kernel_;
     JoinedSegments words_;

@@ -285,21 +285,25 @@ TEST_F(Compare, RangesFitTheirWordsAndShrinkWithTheOrder) {
     const Json rows = compare({"--set", "Order=8", "--set", "CoefBits=36", "--set", "Mode=0",
                                "--samples", "1000"})["rows"];
     const Json& ranges = rows[0]["ranges"];
-    for (const auto& [name, variable] : ranges.items()) {
-        for (std::size_t i = 0; i < variable["low"].size(); ++i) {
-            if (variable["low"][i].is_null()) continue;
-            EXPECT_GE(variable["spare_bits"][i], 0) << name << ' ' << i;
-            EXPECT_GE(variable["low"][i], -variable["word"].get<double>()) << name << ' ' << i;
-            EXPECT_LT(variable["high"][i], variable["word"].get<double>()) << name << ' ' << i;
+    for (const auto& [curve, rows_of_table] : ranges.items()) {
+        for (const auto& [name, row] : rows_of_table.items()) {
+            for (std::size_t i = 0; i < row["low"].size(); ++i) {
+                if (row["low"][i].is_null()) continue;
+                EXPECT_GE(row["spare_bits"][i], 0) << curve << name << ' ' << i;
+                EXPECT_GE(row["low"][i], -row["word"].get<double>()) << curve << name << ' ' << i;
+                EXPECT_LT(row["high"][i], row["word"].get<double>()) << curve << name << ' ' << i;
+            }
         }
     }
-    EXPECT_GE(ranges["phi"]["low"][0], 1);
-    EXPECT_LT(ranges["phi"]["high"][0], 2);
-    EXPECT_LE(ranges["v"]["high"][0], 1);
-    EXPECT_GT(ranges["v"]["high"][0], 0.5);
-    EXPECT_LT(ranges["R"]["high"][0], -2.99);
-    for (const char* name : {"t, T", "n, N", "q", "x"}) {
-        const Json& spare = ranges[name]["spare_bits"];
+    const Json& spline = ranges["spline"];
+    EXPECT_GE(spline["phi"]["low"][0], 1);
+    EXPECT_LT(spline["phi"]["high"][0], 2);
+    EXPECT_LE(spline["v"]["high"][0], 1);
+    EXPECT_GT(spline["v"]["high"][0], 0.5);
+    EXPECT_LT(spline["R"]["high"][0], -2.99);
+    for (const auto& [curve, name] :
+         {std::pair{"arc", "T"}, {"arc", "N"}, {"spline", "q"}, {"spline", "x"}}) {
+        const Json& spare = ranges[curve][name]["spare_bits"];
         EXPECT_GT(spare[8].get<int>(), spare[2].get<int>() + 4) << name;
     }
 }

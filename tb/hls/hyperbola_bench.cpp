@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bench of hls/top/hyperbola.cpp as Verilog, against hls::HyperbolaKernel.
-#include "hls/hyperbola_kernel.hpp"
+// Bench of hls/top/hyperbola.cpp as Verilog, against hls::HyperbolaNetwork.
+#include "hls/curves/hyperbola.hpp"
 #include "hls/top/top_configuration.hpp"
 #include "tb/hls/pipeline_bench.hpp"
 
@@ -15,13 +15,13 @@ struct HyperbolaCall {
 
     void draw(Random& random) {
         start = int64_t(std::ldexp(random.uniform(0.5, 1), bits - 1)) >> int(random.uniform(0, 12));
-        HyperbolaKernel<C> kernel;
+        HyperbolaNetwork<C> kernel;
         kernel.load(start);
         for (int step = 0; step < CFG_Steps; ++step) kernel.step();
-        expected.assign(kernel.y, kernel.y + C::kOrder + 1);
-        expected.insert(expected.end(), kernel.z, kernel.z + C::kTop + 1);
+        expected.assign(kernel.y_, kernel.y_ + C::kOrder + 1);
+        expected.insert(expected.end(), kernel.z_, kernel.z_ + C::kTop + 1);
         kernel.step();
-        expected.push_back(kernel.y[0]);
+        expected.push_back(kernel.y_[0]);
     }
 
     void drive(Vhls& dut) const { sysc::set_field(dut.start_i, 0, bits, start); }

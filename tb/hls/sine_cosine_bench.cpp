@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bench of hls/top/sine_cosine.cpp as Verilog, against hls::Oscillator.
-#include "hls/spherical_kernel.hpp"
+// Bench of hls/top/sine_cosine.cpp as Verilog, against hls::SineCosineNetwork.
+#include "hls/curves/sine_cosine.hpp"
 #include "hls/top/top_configuration.hpp"
 #include "tb/hls/pipeline_bench.hpp"
 
@@ -17,21 +17,15 @@ struct SineCosineCall {
         theta =
             int64_t(std::ldexp(random.uniform(0.5, 1), C::kUnitFrac)) >> int(random.uniform(0, 12));
         const double angle = random.uniform(-4, 4);
-        node.y = std::llround(std::ldexp(std::sin(angle), C::kCoefFrac));
-        node.z = std::llround(std::ldexp(std::cos(angle), C::kCoefFrac));
-        sine = node.y;
-        cosine = node.z;
-        C::Coef weight[C::kOrder + 1] = {0, theta};
-        for (int i = 2; i <= C::kOrder; ++i) {
-            const C::Coef part = reciprocal(i, C::kUnitFrac);
-            weight[i] = rounded_product<C::Product>(theta, part, C::kUnitFrac);
-        }
-        node.expand(C(), weight, Variable::kSine, Variable::kVersine);
-        expected.assign(node.y_coef + 1, node.y_coef + C::kOrder + 1);
-        expected.insert(expected.end(), node.z_coef + 1, node.z_coef + C::kOrder + 1);
-        node.advance(C(), theta);
-        expected.push_back(node.y);
-        expected.push_back(node.z);
+        sine = std::llround(std::ldexp(std::sin(angle), C::kCoefFrac));
+        cosine = std::llround(std::ldexp(std::cos(angle), C::kCoefFrac));
+        SineCosineNetwork<C> node;
+        node.load(theta, sine, cosine);
+        expected.assign(node.y_ + 1, node.y_ + C::kOrder + 1);
+        expected.insert(expected.end(), node.z_ + 1, node.z_ + C::kOrder + 1);
+        node.step();
+        expected.push_back(node.y_[0]);
+        expected.push_back(node.z_[0]);
     }
 
     void drive(Vhls& dut) const {
@@ -40,7 +34,6 @@ struct SineCosineCall {
         sysc::set_field(dut.cosine_i, 0, bits, cosine);
     }
 
-    Oscillator<C> node;
     C::Coef theta = 0;
     C::Coef sine = 0;
     C::Coef cosine = 0;

@@ -10,12 +10,12 @@
 #include "hls/curves/catenary.hpp"
 #include "hls/curves/clothoid.hpp"
 #include "hls/curves/ellipse.hpp"
+#include "hls/curves/hyperbola.hpp"
 #include "hls/curves/involute.hpp"
 #include "hls/curves/quintic.hpp"
 #include "hls/curves/series.hpp"
 #include "hls/curves/spiral.hpp"
 #include "hls/curves/spline.hpp"
-#include "hls/hyperbola_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "tb/support/segments/plain_segments.hpp"
 
@@ -87,17 +87,17 @@ void print_made_kernels() {
 template <class C>
 void print_hyperbolas() {
     Random random;
-    HyperbolaKernel<C> kernel;
+    HyperbolaNetwork<C> kernel;
     for (int n = 0; n < 2000; ++n) {
         if (n % 10 == 0) {
             kernel.load(std::int64_t(random.uniform(0, std::ldexp(0.5, C::kCoefBits))));
         } else {
             kernel.step();
         }
-        for (const auto& word : kernel.y) {
+        for (const auto& word : kernel.y_) {
             std::printf("%lld ", static_cast<long long>(to_int(word)));
         }
-        std::printf("%lld\n", static_cast<long long>(to_int(kernel.z[C::kOrder - 1])));
+        std::printf("%lld\n", static_cast<long long>(to_int(kernel.z_[C::kOrder - 1])));
     }
 }
 

@@ -30,6 +30,7 @@ LineLowering::LineLowering(const ref::CurveTable& table, const ref::CoreParamete
                            const std::map<std::string, int>& demand, StepWriter& writer)
     : table_(table), core_(core), demand_(demand), writer_(writer) {
     for (const auto& [name, lines] : table.sections) {
+        if (name == "carry") continue;  // the engine anchors
         for (const TableLine& line : lines) {
             ++reads_[line.series.row];
             ++reads_[line.variable];

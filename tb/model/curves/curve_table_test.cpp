@@ -16,9 +16,11 @@ constexpr char kHead[] =
     "curve c\nword theta -1  a[3] -2\nstart n[3] -2\nbus theta theta  tangent a  normal n\n"
     "output x\n";
 
-std::string refused(const std::string& lines) {
+constexpr char kOrders[] = "\norder\n  x[k] : -2 = n[k]'/i\n";
+
+std::string refused(const std::string& lines, const std::string& after = "") {
     try {
-        read_curve_text("c.net", kHead + lines + "\norder\n  x[k] : -2 = n[k]'/i\n");
+        read_curve_text("c.net", kHead + lines + kOrders + after);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -66,7 +68,7 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
         {"sample\n  y[k] : -2 = a[k] + horner(n[k])",
          "c.net:7: error: a polynomial takes no other term"},
         {"anchor\n  y[k] : -2 = sum(n[k])",
-         "c.net:7: error: the orders are whole in `next` and `sample` alone"},
+         "c.net:7: error: the orders are whole in `next`, `carry` and `sample` alone"},
         {"next\n  y[k] : -2 = sum(n[k]')",
          "c.net:7: error: a function takes all orders of its row"},
         {"order\n  y.1 : -2 = theta", "c.net:7: error: an order is named in `anchor` alone"},
@@ -84,12 +86,37 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
         {"start d[3] -2\nbus advance d", "error: d is made in `sample`"},
         {"curve d", "c.net:6: error: a table has one `curve`"},
         {"output n", "c.net:6: error: a table has one `output`"},
+        {"guard q", "error: guard: no line makes q"},
+        {"start p -1\nconst p -1 0\nguard p\nanchor\n  p : -1 = theta",
+         "c.net:10: error: p is guarded: a line of `next` makes it"},
         {"words b -2", "c.net:6: error: 'words' begins no line of a table"}};
     for (const auto& [lines, reason] : cases) {
         EXPECT_NE(refused(lines).find(reason), std::string::npos) << lines << "\n"
                                                                   << refused(lines);
     }
     EXPECT_EQ(refused("anchor\n  y : -2 = theta"), "");
+}
+
+TEST(CurveTable, GuardedRowsAreMadeOfEachOther) {
+    const std::string carried = "start p -1\nconst p -1 0\nguard p q";
+    const std::string shifted = "next\n  q : -1 = theta >> s\n";
+    EXPECT_EQ(refused(carried, shifted + "  p : -1 = p + q"), "");
+    EXPECT_EQ(refused(carried, shifted + "  p : -1 = p*theta"),
+              "c.net:13: error: p is guarded: a line of `next` makes it, a sum of guarded rows or "
+              "one other row >> s");
+    EXPECT_EQ(refused(carried, shifted + "  p : -1 = p + q\n  y : -1 = q"),
+              "c.net:14: error: a guarded row that is not carried is read by guarded rows alone");
+}
+
+TEST(CurveTable, OfANetworkAloneIsNoCurve) {
+    const std::string text = "curve h y = 1 / t\nstart y 0\nnext\n  y : 0 = 1/2 y";
+    EXPECT_TRUE(read_network_text("h.net", text).network());
+    try {
+        read_curve_text("h.net", text);
+        FAIL() << "it draws nothing";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "h.net:1: error: a network alone: it has no `output` to draw");
+    }
 }
 
 /// A board says its table by this number.

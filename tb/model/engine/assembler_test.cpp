@@ -367,7 +367,7 @@ TEST(Assembler, TheListingHasEveryInstructionBesideItsLine) {
         code.assembly, {{"arc_load", "idle"}, {"arc_step", "idle"}, {"arc_sample", "idle"}});
     for (const char* row :
          {"arc_step: at most 1283 clocks\n",
-          "N[k].4 = w.4<<10 * T[k].3 >> 45              | arc.net:16: N[k] : -2 = w@T[k]'",
+          "N[k].4 = w.4<<10 * T[k].3 >> 45              | arc.net:20: N[k] : -2 = w@T[k]'",
           "w.3 = theta * 1/3 >> 45 ",
           " 16  fine[k] = origin[k] + (fine[k] * 2^(fine+k) >> 45) | "}) {
         EXPECT_NE(text.find(row), std::string::npos) << row;

@@ -2,14 +2,13 @@
 // The hyperbola's words against its closed form: within the derived bound, which is never idle, and
 // within their ranges; with Anchor 0 they leave the curve, as [Chikurov]'s network does.
 #define CURVECORE_CHECKED
-#include "hls/hyperbola_kernel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "hls/curves/hyperbola.hpp"
 #include "ref/bound/hyperbola_bound.hpp"
 
 namespace curvecore::tb::hyperbola_kernel_test {
@@ -39,10 +38,10 @@ class Course {
     }
     /// Exact value of h / (t0 + t) now.
     double exact(double tau = 0) const { return start_ / (1 + (steps_ + tau) * start_); }
-    double y() const { return value(kernel_.y[0]); }
+    double y() const { return value(kernel_.y_[0]); }
     double error(double tau) const {
         double sum = 0;
-        for (int i = C::kOrder; i >= 0; --i) sum = sum * tau + value(kernel_.y[i]);
+        for (int i = C::kOrder; i >= 0; --i) sum = sum * tau + value(kernel_.y_[i]);
         return sum - exact(tau);
     }
     double bound() const {
@@ -55,7 +54,7 @@ class Course {
     }
     double start_;
     int steps_ = 0;
-    hls::HyperbolaKernel<C> kernel_;
+    hls::HyperbolaNetwork<C> kernel_;
 };
 
 /// Worst error within a step, relative to its bound, over random courses; checked after 0, 1, 2, 4,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial build's program of splines makes the words of hls::SplineKernel in every order, and
+// The serial build's program of splines makes the words of hls::SplineCurve in every order, and
 // reads no word before it is written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "hls/spline_kernel.hpp"
+#include "hls/curves/spline.hpp"
 #include "tb/support/bench/serial_machine.hpp"
 #include "tb/support/segments/spline_segments.hpp"
 
@@ -37,11 +37,10 @@ INSTANTIATE_TEST_SUITE_P(Widths, SerialProgram,
                          });
 
 TEST_P(SerialProgram, MakesTheKernelsWords) {
-    ValueRanges ranges(GetParam().coef_bits);
-    const RunTimeFormat format(GetParam(), GetParam().axes(), &ranges);
+    const RunTimeFormat format(GetParam(), GetParam().axes());
     SplineSegments shapes(GetParam(), 3);
     SerialMachine machine(format);
-    hls::SplineKernel<RunTimeFormat> kernel(format);
+    hls::SplineCurve<RunTimeFormat> kernel(format);
     std::mt19937_64 random(5);
     for (int n = 0; n < 60; ++n) {
         RunSegment words = shapes.next();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spline kernel's words: the network's series, landing, both kinds in one stream, auxiliary
 // axes, and the effect of the paper's propagation of all sixteen variables.
-#include "hls/spline_kernel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/curves/spline_families.hpp"
+#include "tb/support/judge/open_spline.hpp"
 
 namespace curvecore::tb::spline_kernel_test {
 using namespace sysc;
@@ -44,15 +43,15 @@ void expect_series(int steps) {
         ref::Segment segment;  // a step from v = 0 with g = 1: 2b and 6a are the network's words
         segment.curve = ref::SplinePiece();
         ref::SplinePiece& spline = segment.spline();
-        hls::SplineNetwork<C> network;
+        OpenSpline<C> network;
         const ref::Vec3 direction = ref::Vec3(uniform(-1, 1), uniform(-1, 1), 1).normalized();
         for (int k = 0; k < 3; ++k) {
             const double velocity = word(direction[k] * uniform(0.6, 0.9), kBits - 1);
             const double bend = word(uniform(-0.06, 0.06), kBits + 1);
             const double six_a = word(uniform(-0.03, 0.03), kBits + 1);
-            network.V[k][0] = static_cast<std::int64_t>(velocity);
-            network.W[k][0] = static_cast<std::int64_t>(bend);
-            network.six_a[k] = static_cast<std::int64_t>(six_a);
+            network.V_[k][0] = static_cast<std::int64_t>(velocity);
+            network.W_[k][0] = static_cast<std::int64_t>(bend);
+            network.six_a_[k] = static_cast<std::int64_t>(six_a);
             spline.c[k] = std::ldexp(velocity, 1 - kBits);
             spline.b[k] = std::ldexp(bend, -1 - kBits) / 2;
             spline.a[k] = std::ldexp(six_a, -1 - kBits) / 6;
@@ -66,9 +65,9 @@ void expect_series(int steps) {
         const double phi = 1 / spline.c.norm();
         words.open(V, W, {phi, ref::half_bit(kBits - 2), 0});
         words.expand();
-        network.phi[0] = std::llround(std::ldexp(phi, kBits - 2));
+        network.phi_[0] = std::llround(std::ldexp(phi, kBits - 2));
         network.derivatives_of_phi();
-        network.expand();
+        network.orders();
         const auto check = [&](std::int64_t got, int frac, const ref::Enclosed& wanted) {
             const double wrong =
                 std::abs(std::ldexp(static_cast<double>(got), -frac) - wanted.value);
@@ -76,20 +75,20 @@ void expect_series(int steps) {
             worst = std::max(worst, wrong / wanted.rounding);
         };
         for (int i = 1; i <= C::kOrder; ++i) {
-            check(network.q[i], kBits - 2, words.q(i));
-            if (i <= C::kTop) check(network.phi[i], kBits - 2, words.phi(i));
+            check(network.q_[i], kBits - 2, words.q(i));
+            if (i <= C::kTop) check(network.phi_[i], kBits - 2, words.phi(i));
             for (int k = 0; k < 3; ++k) {
                 if (i < C::kTop) {
-                    check(network.W[k][i], kBits + 1, words.W(k, i));
+                    check(network.W_[k][i], kBits + 1, words.W(k, i));
                 }
-                if (C::kSeries) check(network.x[k][i], kBits - 2, words.x(k, i));
+                if (C::kSeries) check(network.x_[k][i], kBits - 2, words.x(k, i));
             }
         }
     }
     EXPECT_GT(worst, 0.5) << "the derived errors are idle";
 }
 
-TEST(SplineNetwork, WordsAreTheSeriesWithinTheirRoundings) {
+TEST(SplineKernel, WordsAreTheSeriesWithinTheirRoundings) {
     expect_series<Core<6, 36, SamplerMode::kSeries>>(300);
     expect_series<Core<12, 36, SamplerMode::kSeries, false>>(100);
     expect_series<Core<6, 36, SamplerMode::kPolynomial>>(300);
@@ -102,9 +101,6 @@ template <class C>
 double largest_newton_product(double limit,
                               const std::vector<SplineFamily>& families = spline_families(),
                               int skipped = 0, int curves = 4) {
-    struct Kernel : hls::SplineKernel<C> {
-        using hls::SplineKernel<C>::net_;
-    };
     ref::CoreParameters format;
     format.order = C::kOrder;
     format.coef_bits = C::kCoefBits;
@@ -116,15 +112,14 @@ double largest_newton_product(double limit,
             if (n < skipped) continue;
             for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
                 if (piece.kind() != ref::CurveKind::kSpline) continue;
-                Kernel kernel;
+                OpenSpline<C> kernel;
                 kernel.load(hls::to_words<C>(piece));
                 const auto steps = piece.length >> (piece.step_exponent + 16);
                 for (std::uint64_t step = 0; step < steps; ++step) {
-                    const std::int64_t phi =
-                        hls::SplineNetwork<C>::sum(kernel.net_.phi, 0, C::kTop);
+                    const std::int64_t phi = OpenSpline<C>::sum(kernel.phi_, 0, C::kTop);
                     kernel.step();
                     double norm = 0;
-                    for (const auto& V : kernel.net_.V) {
+                    for (const auto& V : kernel.V_) {
                         norm +=
                             std::pow(std::ldexp(static_cast<double>(V[0]), 1 - C::kCoefBits), 2);
                     }
@@ -179,7 +174,7 @@ void expect_one_stream() {
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const hls::SegmentWords<C> words = hls::to_words<C>(segments[i]);
         const bool spline = segments[i].kind() == ref::CurveKind::kSpline;
-        hls::InterpolatorKernel<C, hls::SplineKernel<C>> splines;
+        hls::InterpolatorKernel<C, hls::SplineCurve<C>> splines;
         hls::InterpolatorKernel<C> arcs;
         const auto length = static_cast<std::int64_t>(segments[i].length);
         std::int64_t at = 0;
@@ -219,7 +214,7 @@ TEST(SplineKernel, DrawsAStraightLineAtConstantSpeedWithoutError) {
     for (int axis = 0; axis < 3; ++axis) {
         words.advance[axis] = std::llround(std::ldexp(c[axis] * 2 / 9.0, 34));
     }
-    hls::InterpolatorKernel<Default, hls::SplineKernel<Default>> kernel;
+    hls::InterpolatorKernel<Default, hls::SplineCurve<Default>> kernel;
     for (int n = 1; n < 64; ++n) {
         hls::Word<Default::kFineBits> out[3];
         kernel.sample(
@@ -239,7 +234,7 @@ TEST(SplineKernel, AuxiliaryAxesAreLinearInThePath) {
     piece.aux_advance[0] = 0.75;
     piece.aux_advance[1] = -1.6;
     piece.aux_start[1] = 5000;
-    hls::InterpolatorKernel<C, hls::SplineKernel<C>> kernel;
+    hls::InterpolatorKernel<C, hls::SplineCurve<C>> kernel;
     const std::int64_t ds = static_cast<std::int64_t>(piece.length) / 37;
     for (int n = 1; n < 37; ++n) {
         hls::Word<C::kFineBits> out[C::kAxes];
@@ -257,7 +252,7 @@ double worst_error(ref::Segment piece, int k) {
     piece.step_exponent = k;
     const ref::Cubic cubic = piece.spline().cubic(piece.start);
     const ref::ArcLength truth(cubic);
-    hls::InterpolatorKernel<C, hls::SplineKernel<C>> kernel;
+    hls::InterpolatorKernel<C, hls::SplineCurve<C>> kernel;
     const std::int64_t ds = static_cast<std::int64_t>(piece.length) / 1001;
     double worst = 0;
     for (int n = 1; n <= 1000; ++n) {

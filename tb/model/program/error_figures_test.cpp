@@ -10,7 +10,7 @@
 #include "ref/plan/curve_follower.hpp"
 #include "sysc/curves/built_in_curves.hpp"
 #include "sysc/curves/exact_samples.hpp"
-#include "sysc/kernel/value_ranges.hpp"
+#include "sysc/kernel/run_time_format.hpp"
 
 namespace curvecore::tb::error_figures_test {
 using namespace sysc;
@@ -51,16 +51,31 @@ TEST(ValueRange, BitsOfTheLeastWord) {
     EXPECT_EQ(bits(0, std::int64_t{1} << 35), 37);
 }
 
-TEST(ValueRanges, KeepWhatAWordHoldsAndCountWhatItLacks) {
+TEST(ValueRanges, CountWhatAWordLacks) {
     ValueRanges ranges(18);
-    EXPECT_EQ(ranges.keep(Variable::kPhi, 3, 131071), 131071);
-    EXPECT_EQ(ranges.keep(Variable::kPhi, 3, -131072), -131072);
+    constexpr hls::WordRow kRows[] = {{"phi", -2}, {"W", 1}, {nullptr, 0}};
+    const int phi = ranges.first_row("spline", kRows);
+    const int W = phi + 1;
+    EXPECT_EQ(ranges.first_row("spline", kRows), phi);
+    EXPECT_EQ(ranges.first_row("other", kRows), phi + 2);
+    ranges.note(phi, 3, 131071);
+    ranges.note(phi, 3, -131072);
     EXPECT_EQ(ranges.missing(), 0);
-    EXPECT_EQ(ranges.keep(Variable::kW, 12, 131072), -131072);
+    ranges.note(W, 12, 131072);
     EXPECT_EQ(ranges.missing(), 1);
-    EXPECT_EQ(ranges.keep(Variable::kW, 12, -(std::int64_t{1} << 20) - 5), -5);
+    ranges.note(W, 12, -(std::int64_t{1} << 20) - 5);
     EXPECT_EQ(ranges.missing(), 4);
-    EXPECT_TRUE(ranges.range(Variable::kW, 11).empty());
+    EXPECT_TRUE(ranges.rows()[1].orders[11].empty());
+}
+
+TEST(RunTimeFormat, KeepsWhatAWordHolds) {
+    CoreParameters core;
+    core.coef_bits = 18;
+    const RunTimeFormat format(core, 3);
+    EXPECT_EQ(format.keep(0, 3, 131071), 131071);
+    EXPECT_EQ(format.keep(0, 3, -131072), -131072);
+    EXPECT_EQ(format.keep(0, 12, 131072), -131072);
+    EXPECT_EQ(format.keep(0, 12, -(std::int64_t{1} << 20) - 5), -5);
 }
 
 /// Compares with the planner's own segments, which tb/model and tb/campaign compare with closed

@@ -35,8 +35,7 @@ void draws_the_same_samples() {
     MixedSegments random(parameters_of<C>(), 5);
     std::vector<hls::SegmentWords<C>> words;
     std::vector<RunSegment> segments;
-    ValueRanges ranges(C::kCoefBits);
-    const RunTimeFormat format(parameters_of<C>(), C::kAxes, &ranges);
+    const RunTimeFormat format(parameters_of<C>(), C::kAxes);
     std::int64_t length = 0;
     while (words.size() < 400) {
         segments.push_back(random.next());

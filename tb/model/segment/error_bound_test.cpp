@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
+#include "hls/curves/arc.hpp"
 #include "hls/quantise.hpp"
-#include "hls/spherical_kernel.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/plan/segment_curve.hpp"
 #include "tb/support/programs/long_form.hpp"
@@ -25,7 +25,7 @@ template <class C, class Spoil>
 double worst_error(const ref::Segment& segment, std::mt19937_64& random, Spoil spoil) {
     hls::SegmentWords<C> words = hls::to_words<C>(segment);
     spoil(words);
-    hls::SphericalKernel<C> kernel;
+    hls::ArcCurve<C> kernel;
     kernel.load(words);
     const std::uint64_t step = std::uint64_t{1} << (segment.step_exponent + 16);
     double worst = 0;

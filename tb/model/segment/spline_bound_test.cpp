@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hls/curves/spline.hpp"
 #include "hls/quantise.hpp"
-#include "hls/spline_kernel.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
@@ -24,7 +24,7 @@ using hls::SamplerMode;
 template <class C>
 double worst_error(const ref::Segment& segment, const hls::SegmentWords<C>& words,
                    SplineMaker& random) {
-    hls::SplineKernel<C> kernel;
+    hls::SplineCurve<C> kernel;
     kernel.load(words);
     const ref::Cubic cubic = segment.spline().cubic(segment.start);
     const ref::ArcLength truth(cubic);

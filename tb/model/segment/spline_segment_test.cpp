@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "hls/curves/spline.hpp"
 #include "hls/quantise.hpp"
-#include "hls/spline_kernel.hpp"
 #include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/plan/segment_curve.hpp"
@@ -117,7 +117,7 @@ double worst_error(const ref::Segment& segment, std::int64_t spoil) {
     hls::SegmentWords<C> words = hls::to_words<C>(segment);
     words.advance[0] += spoil;
     words.normal[1] += spoil;
-    hls::SplineKernel<C> kernel;
+    hls::SplineCurve<C> kernel;
     kernel.load(words);
     const std::uint64_t step = std::uint64_t{1} << (segment.step_exponent + hls::kPathFrac);
     double worst = 0;

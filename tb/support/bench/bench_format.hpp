@@ -29,8 +29,7 @@ class BenchFormat {
     }
 
     const CoreParameters core_;
-    ValueRanges ranges_{core_.coef_bits};
-    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
+    const RunTimeFormat format_{core_, core_.axes()};
 
   private:
     static CoreParameters with(std::shared_ptr<const ref::CurveTable> table) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "hls/curves/spline.hpp"
 #include "hls/quantise.hpp"
-#include "hls/spline_kernel.hpp"
 
 #if !defined(CURVECORE_CHECKED)
 #error "define CURVECORE_CHECKED before the first header"
@@ -18,7 +18,7 @@ namespace curvecore::tb {
 /// @throws std::range_error when a value leaves its word's range
 template <class C>
 void draw_checked(const ref::Segment& segment) {
-    hls::SplineKernel<C> kernel;
+    hls::SplineCurve<C> kernel;
     kernel.load(hls::to_words<C>(segment));
     const auto step = std::int64_t(1) << (segment.step_exponent + hls::kPathFrac);
     for (auto rest = static_cast<std::int64_t>(segment.length);; rest -= step) {

@@ -13,6 +13,7 @@
 #include "rtl/engine/compiler/curve_assembler.hpp"
 #include "rtl/engine/compiler/table_lowering.hpp"
 #include "sysc/kernel/run_time_format.hpp"
+#include "tb/support/judge/open_spline.hpp"
 #include "tb/support/microcode/microcode_machine.hpp"
 
 namespace curvecore::tb {
@@ -81,28 +82,28 @@ inline sysc::RunSegment random_segment(const CurveCase& of, std::mt19937_64& ran
 }
 
 /// The spline's kernel with the words of a step that its microcode keeps, too.
-class OpenSplineKernel : public hls::SplineKernel<sysc::RunTimeFormat> {
+class SplineStep : public OpenSpline<sysc::RunTimeFormat> {
   public:
-    using hls::SplineKernel<sysc::RunTimeFormat>::SplineKernel;
+    using OpenSpline<sysc::RunTimeFormat>::OpenSpline;
 
     /// Calls visit(name, axis, value).
     template <class Visit>
     void step_words(const sysc::CoreParameters& core, Visit&& visit) const {
         visit("v.0", 0, v_);
         if (core.polynomial()) {
-            for (int i = 1; i <= core.order; ++i) visit("q." + std::to_string(i), 0, net_.q[i]);
+            for (int i = 1; i <= core.order; ++i) visit("q." + std::to_string(i), 0, q_[i]);
         }
-        visit("phi.0", 0, Network::sum(net_.phi, 0, core.order - 1));  // of the next step
+        visit("phi.0", 0, sum(phi_, 0, core.order - 1));  // of the next step
         for (int axis = 0; axis < 3; ++axis) {
-            visit(assembler::place_word::kOrigin, axis, position_[axis]);
-            if (core.polynomial()) visit("V[k].0", axis, net_.V[axis][0]);
-            if (core.polynomial()) visit("half_W[k]", axis, step_b_[axis]);
+            visit(assembler::place_word::kOrigin, axis, origin_[axis]);
+            if (core.polynomial()) visit("V[k].0", axis, V_[axis][0]);
+            if (core.polynomial()) visit("half_W[k]", axis, half_W_[axis]);
         }
     }
 };
-class OpenArcKernel : public hls::SphericalKernel<sysc::RunTimeFormat> {
+class ArcStep : public hls::ArcCurve<sysc::RunTimeFormat> {
   public:
-    using hls::SphericalKernel<sysc::RunTimeFormat>::SphericalKernel;
+    using hls::ArcCurve<sysc::RunTimeFormat>::ArcCurve;
     template <class Visit>
     void step_words(const sysc::CoreParameters&, Visit&&) const {}
 };
@@ -115,8 +116,8 @@ class CurveComparison {
 
     /// Draws a random segment with both; returns the number of words that differ.
     int segment(std::mt19937_64& random, int steps, int samples) {
-        return of_.spline ? drawn<OpenSplineKernel>(random, steps, samples)
-                          : drawn<OpenArcKernel>(random, steps, samples);
+        return of_.spline ? drawn<SplineStep>(random, steps, samples)
+                          : drawn<ArcStep>(random, steps, samples);
     }
 
     std::int64_t words() const { return words_; }

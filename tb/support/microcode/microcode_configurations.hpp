@@ -2,6 +2,8 @@
 // Configurations that microcode of curves is tested in: those of tb/configurations.csv.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -12,8 +14,8 @@
 
 namespace curvecore::tb {
 
-/// The configurations of the table, as far as this build has them: anchored, without guard bits.
-inline std::vector<CurveCase> configurations() {
+/// The configurations of the table; of `engine` those that it has: anchored, without guard bits.
+inline std::vector<CurveCase> configurations(bool engine = true) {
     std::ifstream table(std::string(DATA_DIR) + "/../configurations.csv");
     std::vector<CurveCase> cases;
     std::set<std::string> seen;
@@ -30,12 +32,15 @@ inline std::vector<CurveCase> configurations() {
         one.core.guard_bits = std::stoi(cells[6]);
         one.core.aux_axes = std::stoi(cells[7]);
         one.core.mode = std::stoi(cells[9]);
+        if (!engine && cells[10] != "-") one.core.anchor = std::stoi(cells[10]);
+        if (!engine && cells[12] != "-") one.core.parameter_guard = std::stoi(cells[12]);
         for (const bool spline : {false, true}) {
             one.spline = spline;
             if (spline && cells[0].find("spherical") == 0) continue;
             if (!spline && cells[0].find("spline") == 0) continue;
             std::string key = spline ? "s" : "a";
             for (std::size_t n = 3; n <= 9; ++n) key += n == 8 ? "" : "," + cells[n];
+            key += fmt::format(",{},{}", one.core.anchor, one.core.parameter_guard);
             if (seen.insert(key).second) cases.push_back(one);
         }
     }
@@ -46,7 +51,8 @@ inline std::string text(const CurveCase& of) {
     std::ostringstream out;
     out << (of.spline ? "spline" : "arc") << " Order " << of.core.order << " CoefBits "
         << of.core.coef_bits << " PositionBits " << of.core.position_bits << " GuardBits "
-        << of.core.guard_bits << " AuxAxes " << of.core.aux_axes << " Mode " << of.core.mode;
+        << of.core.guard_bits << " AuxAxes " << of.core.aux_axes << " Mode " << of.core.mode
+        << " Anchor " << of.core.anchor << " ParameterGuard " << of.core.parameter_guard;
     return out.str();
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/node/stieltjes_integrator.sv equals hls/series_node.hpp, word for word and in its cycles.
+// rtl/node/stieltjes_integrator.sv equals the functions of a kernel's lines, word for word and
+// in its cycles.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "Vstieltjes_integrator.h"
-#include "hls/series_node.hpp"
+#include "hls/curves/curve_steps.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
 
@@ -24,7 +25,15 @@ constexpr int kLoad = 1 << 1;
 constexpr int kOrderBit = 2;
 constexpr int kStart = 1 << 6;
 using Word = hls::Word<kBits>;
-using Product = hls::Word<2 * kBits + 4>;
+
+/// D_i = sum of u_j Ds_{i-j}, and x_i = D_i / i with Drop fraction bits less, [Chikurov] (15).
+struct Node
+    : hls::CurveSteps<hls::Configuration<kOrder, kBits, 32, 10, 0, hls::SamplerMode::kSeries>> {
+    static Word D(const Word* u, const Word* ds, int i) {
+        return rounded(stieltjes(u, ds, i), kShift);
+    }
+    Word x(const Word& d, int i) const { return rounded(over(d, i), kBits - 1 + kDrop); }
+};
 
 class StieltjesIntegrator : public testing::Test {
   protected:
@@ -75,8 +84,8 @@ class StieltjesIntegrator : public testing::Test {
         s_[i] = word();
         dut_->u_i = term(i - 1, u_[i - 1]);
         tick();
-        const Word d = hls::convolve<Product>(u_, s_, i, kShift);
-        const Word x = hls::over_order<Product>(d, i, kBits, kDrop);
+        const Word d = Node::D(u_, s_, i);
+        const Word x = Node().x(d, i);
         dut_->control_i = static_cast<uint8_t>(kStart | i << kOrderBit);
         for (int cycle = 0; cycle <= 4 * i + 17; ++cycle) {
             if (cycle == i) dut_->s_i = term(i - 1 + kFirst, s_[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/hyperbola_interpolator.sv equals hls::HyperbolaKernel, bit for bit, and in its cycles.
+// rtl/hyperbola_interpolator.sv equals hls::HyperbolaNetwork, bit for bit, and in its cycles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "Vhyperbola_interpolator.h"
 #include "hls/clocks.hpp"
-#include "hls/hyperbola_kernel.hpp"
+#include "hls/curves/hyperbola.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
 
@@ -74,7 +74,7 @@ class HyperbolaInterpolator : public testing::Test {
         const bool carried = !kAnchor && !load;
         dut_->step_i = 1;
         dut_->load_i = load;
-        dut_->y_i = to_port(load ? kernel_.y[0] : 12345, kBits);
+        dut_->y_i = to_port(load ? kernel_.y_[0] : 12345, kBits);
         dut_.settle();
         ASSERT_EQ(dut_->ready_o, 1);
         int y = 0;
@@ -88,11 +88,11 @@ class HyperbolaInterpolator : public testing::Test {
             ASSERT_EQ(dut_->z_valid_o, z <= kLastZ && cycle == z_cycle(z, carried)) << cycle;
             if (dut_->y_valid_o) {
                 ASSERT_EQ(dut_->order_o, y);
-                ASSERT_EQ(from_port(dut_->y_o, kBits), kernel_.y[y++]);
+                ASSERT_EQ(from_port(dut_->y_o, kBits), kernel_.y_[y++]);
             }
             if (dut_->z_valid_o) {
                 ASSERT_EQ(dut_->order_o, z);
-                ASSERT_EQ(from_port(dut_->z_o, kBits), kernel_.z[z++]);
+                ASSERT_EQ(from_port(dut_->z_o, kBits), kernel_.z_[z++]);
             }
         }
         ASSERT_EQ(y, kOrder + 1);
@@ -100,7 +100,7 @@ class HyperbolaInterpolator : public testing::Test {
     }
 
     ClockedDut<Vhyperbola_interpolator> dut_;
-    hls::HyperbolaKernel<Config> kernel_;
+    hls::HyperbolaNetwork<Config> kernel_;
     std::mt19937_64 random_{3};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/sine_cosine_interpolator.sv equals hls::Oscillator, bit for bit.
+// rtl/sine_cosine_interpolator.sv equals hls::SineCosineNetwork, bit for bit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "Vsine_cosine_interpolator.h"
 #include "hls/clocks.hpp"
-#include "hls/spherical_kernel.hpp"
+#include "hls/curves/sine_cosine.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
 
@@ -16,7 +16,6 @@ using namespace sysc;
 namespace {
 
 using Config = hls::Configuration<CFG_Order, CFG_CoefBits, 32, 10, 0, hls::SamplerMode::kSeries>;
-using Coef = hls::Word<CFG_CoefBits>;
 constexpr int kOrder = CFG_Order;
 constexpr int kBits = CFG_CoefBits;
 
@@ -42,24 +41,13 @@ class SineCosineInterpolator : public testing::Test {
 
     void load(int64_t theta, double angle) {
         theta_ = theta;
-        weight_[1] = theta;
-        for (int i = 2; i <= kOrder; ++i) {
-            weight_[i] = hls::rounded_product<Config::Product>(
-                theta, hls::reciprocal(i, Config::kUnitFrac), Config::kUnitFrac);
-        }
-        kernel_.y = std::llround(std::ldexp(std::sin(angle), Config::kCoefFrac));
-        kernel_.z = std::llround(std::ldexp(std::cos(angle), Config::kCoefFrac));
-        expand();
+        kernel_.load(theta, std::llround(std::ldexp(std::sin(angle), Config::kCoefFrac)),
+                     std::llround(std::ldexp(std::cos(angle), Config::kCoefFrac)));
         run(true);
     }
 
-    void expand() {
-        kernel_.expand(Config(), weight_, hls::Variable::kSine, hls::Variable::kVersine);
-    }
-
     void step() {
-        kernel_.advance(Config(), theta_);
-        expand();
+        kernel_.step();
         run(false);
     }
 
@@ -68,8 +56,8 @@ class SineCosineInterpolator : public testing::Test {
         dut_->step_i = 1;
         dut_->load_i = load;
         dut_->theta_i = to_port(load ? theta_ : 12345, kBits);
-        dut_->sine_i = to_port(kernel_.y, kBits);
-        dut_->cosine_i = to_port(kernel_.z, kBits);
+        dut_->sine_i = to_port(kernel_.y_[0], kBits);
+        dut_->cosine_i = to_port(kernel_.z_[0], kBits);
         dut_.settle();
         ASSERT_EQ(dut_->ready_o, 1);
         int order = 0;
@@ -82,19 +70,16 @@ class SineCosineInterpolator : public testing::Test {
             ASSERT_EQ(dut_->coef_valid_o, cycle == due && order <= kOrder) << cycle;
             if (!dut_->coef_valid_o) continue;
             ASSERT_EQ(dut_->order_o, order);
-            ASSERT_EQ(from_port(dut_->sine_o, kBits),
-                      order == 0 ? kernel_.y : kernel_.y_coef[order]);
-            ASSERT_EQ(from_port(dut_->cosine_o, kBits),
-                      order == 0 ? kernel_.z : kernel_.z_coef[order]);
+            ASSERT_EQ(from_port(dut_->sine_o, kBits), kernel_.y_[order]);
+            ASSERT_EQ(from_port(dut_->cosine_o, kBits), kernel_.z_[order]);
             ++order;
         }
         ASSERT_EQ(order, kOrder + 1);
     }
 
     ClockedDut<Vsine_cosine_interpolator> dut_;
-    hls::Oscillator<Config> kernel_;
+    hls::SineCosineNetwork<Config> kernel_;
     int64_t theta_ = 0;
-    Coef weight_[kOrder + 1] = {};
 };
 
 TEST_F(SineCosineInterpolator, EqualsKernelOnEveryOrderOfEveryStep) {
@@ -123,9 +108,9 @@ TEST_F(SineCosineInterpolator, StartsAfreshAfterAReset) {
 
 TEST_F(SineCosineInterpolator, StandsStillWithThetaZero) {
     load(0, 1.0);
-    const auto sine = kernel_.y;
+    const auto sine = kernel_.y_[0];
     for (int n = 0; n < 5; ++n) step();
-    EXPECT_EQ(kernel_.y, sine);
+    EXPECT_EQ(kernel_.y_[0], sine);
 }
 
 }  // namespace

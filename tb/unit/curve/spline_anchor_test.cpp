@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/anchor/spline_anchor.sv equals the start of a step in hls/spline_kernel.hpp, word for word.
+// rtl/anchor/spline_anchor.sv equals the start of a step in hls/curves/spline.hpp, word for word.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "Vspline_anchor.h"
-#include "hls/spline_kernel.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
+#include "tb/support/judge/open_spline.hpp"
 #include "tb/support/segments/spline_load.hpp"
 
 namespace curvecore::tb {
@@ -21,20 +21,7 @@ using Config = hls::Configuration<6, kBits, 32, 10, 0, hls::SamplerMode::kPolyno
                                   CFG_Anchor != 0, CFG_ParameterGuard>;
 using Coef = hls::Word<kBits>;
 
-/// The kernel with access to its words.
-struct Kernel : hls::SplineKernel<Config> {
-    using Base = hls::SplineKernel<Config>;
-    using Base::net_;
-    using Base::step_a_;
-    using Base::v_;
-
-    /// Line 6 of the table: the displacement from the segment's start.
-    Coef displacement(int axis) const {
-        const Coef e = b_[axis] + unit(a_[axis], v_);
-        const Coef f = advance_[axis] + unit(e, v_);
-        return unit(f, v_);
-    }
-};
+using Kernel = OpenSpline<Config>;
 
 // Clocks as stated in the header of the RTL.
 constexpr int kStart = 92;
@@ -70,9 +57,8 @@ class SplineAnchor : public testing::Test {
     }
 
     void step(bool fresh) {
-        using Network = hls::SplineNetwork<Config>;
-        const Coef moved = Network::sum(kernel_.net_.q, 1, Config::kOrder);
-        const Coef phi_end = Network::sum(kernel_.net_.phi, 0, Config::kTop);
+        const Coef moved = Kernel::sum(kernel_.q_, 1, Config::kOrder);
+        const Coef phi_end = Kernel::sum(kernel_.phi_, 0, Config::kTop);
         if (fresh) {
             draw();
             kernel_.load(segment_);
@@ -86,7 +72,6 @@ class SplineAnchor : public testing::Test {
         dut_->phi_end_i = to_port(phi_end, kBits);
         dut_->moved_i = to_port(moved, kBits);
         const bool quiet = !kAnchor && !fresh;
-        const auto& net = kernel_.net_;
         int seen = 0;
         const auto expect = [&](bool there, Coef word, const char* name) {
             if (!there) return;
@@ -107,14 +92,14 @@ class SplineAnchor : public testing::Test {
             const int loads = dut_->load_o;
             ASSERT_EQ(loads >> load::kAgain & 1, quiet && cycle == 3) << cycle;
             for (int k = 0; k < 3; ++k) {
-                expect(loads >> (load::kSixA + k) & 1, net.six_a[k], "6a'");
+                expect(loads >> (load::kSixA + k) & 1, kernel_.six_a_[k], "6a'");
                 expect(dut_->step_a_there_o >> k & 1, kernel_.step_a_[k], "a'");
-                expect(loads >> (load::kV + k) & 1, net.V[k][0], "V");
-                expect(loads >> (load::kW + k) & 1, net.W[k][0], "W");
+                expect(loads >> (load::kV + k) & 1, kernel_.V_[k][0], "V");
+                expect(loads >> (load::kW + k) & 1, kernel_.W_[k][0], "W");
             }
-            expect(loads >> load::kPhi & 1, net.phi[0], "phi");
-            expect(loads >> load::kQ & 1, net.Q[0], "Q");
-            expect(loads >> load::kR & 1, net.R[0], "R");
+            expect(loads >> load::kPhi & 1, kernel_.phi_[0], "phi");
+            expect(loads >> load::kQ & 1, kernel_.Q_[0], "Q");
+            expect(loads >> load::kR & 1, kernel_.R_[0], "R");
             ASSERT_FALSE((loads >> load::kPhi & 1) != 0 && cycle >= kStart);
             const bool d_there = cycle == kLast - 8 || cycle == kLast - 4 || cycle == kLast;
             ASSERT_EQ(dut_->d_there_o, d_there) << cycle;

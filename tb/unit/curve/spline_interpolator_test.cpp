@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/spline_interpolator.sv equals hls::InterpolatorKernel with hls::SplineKernel, bit for bit;
+// rtl/spline_interpolator.sv equals hls::InterpolatorKernel with hls::SplineCurve, bit for bit;
 // throughput and latency.
 #include "tb/support/bench/curve_core_bench.hpp"
 #include "tb/support/segments/spline_segments.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/network/spline_network.sv equals hls/spline_network.hpp: every word of every order, in the
-// clocks that rtl/control/spline_sequencer.sv states.
-#include "hls/spline_network.hpp"
-
+// rtl/network/spline_network.sv equals the orders of hls/curves/spline.hpp: every word of each, in
+// the clocks that rtl/control/spline_sequencer.sv states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "Vspline_network.h"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
+#include "tb/support/judge/open_spline.hpp"
 #include "tb/support/segments/spline_load.hpp"
 
 namespace curvecore::tb {
@@ -26,7 +25,7 @@ using Config =
     hls::Configuration<kOrder, kBits, 32, 10, 0,
                        kSeries ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial,
                        kAnchor>;
-using Network = hls::SplineNetwork<Config>;
+using Network = OpenSpline<Config>;
 using Coef = hls::Word<kBits>;
 constexpr int kTermBits = kBits + 5;  // {there, order, coefficient}
 
@@ -70,11 +69,11 @@ class SplineNetwork : public testing::Test {
         }
         const double speed = uniform(0.7, 0.9);
         for (int k = 0; k < 3; ++k) {
-            kernel_.V[k][0] = word(direction[k] / std::sqrt(norm) * speed, kBits - 1);
-            kernel_.W[k][0] = word(uniform(-0.02, 0.02), kBits + 1);
-            kernel_.six_a[k] = word(uniform(-0.01, 0.01), kBits + 1);
+            kernel_.V_[k][0] = word(direction[k] / std::sqrt(norm) * speed, kBits - 1);
+            kernel_.W_[k][0] = word(uniform(-0.02, 0.02), kBits + 1);
+            kernel_.six_a_[k] = word(uniform(-0.01, 0.01), kBits + 1);
         }
-        kernel_.phi[0] = word(1 / speed, kBits - 2);
+        kernel_.phi_[0] = word(1 / speed, kBits - 2);
         kernel_.derivatives_of_phi();
     }
 
@@ -89,23 +88,23 @@ class SplineNetwork : public testing::Test {
     void load() {
         draw();
         for (int k = 0; k < 3; ++k) {
-            give(load::kSixA + k, kernel_.six_a[k]);
-            give(load::kV + k, kernel_.V[k][0]);
-            give(load::kW + k, kernel_.W[k][0]);
+            give(load::kSixA + k, kernel_.six_a_[k]);
+            give(load::kV + k, kernel_.V_[k][0]);
+            give(load::kW + k, kernel_.W_[k][0]);
         }
-        give(load::kR, kernel_.R[0]);
-        give(load::kQ, kernel_.Q[0]);
-        give(load::kPhi, kernel_.phi[0], true);
+        give(load::kR, kernel_.R_[0]);
+        give(load::kQ, kernel_.Q_[0]);
+        give(load::kPhi, kernel_.phi_[0], true);
     }
 
     /// Continues with the next step from the words that this one has reached (Anchor = 0).
     void go_on() {
-        kernel_.phi[0] = Network::sum(kernel_.phi, 0, kTop);
-        kernel_.Q[0] = Network::sum(kernel_.Q, 0, kOrder);
-        kernel_.R[0] = Network::sum(kernel_.R, 0, kOrder);
+        kernel_.phi_[0] = Network::sum(kernel_.phi_, 0, kTop);
+        kernel_.Q_[0] = Network::sum(kernel_.Q_, 0, kOrder);
+        kernel_.R_[0] = Network::sum(kernel_.R_, 0, kOrder);
         for (int k = 0; k < 3; ++k) {
-            kernel_.V[k][0] = Network::sum(kernel_.V[k], 0, kOrder);
-            kernel_.W[k][0] = Network::sum(kernel_.W[k], 0, kOrder);
+            kernel_.V_[k][0] = Network::sum(kernel_.V_[k], 0, kOrder);
+            kernel_.W_[k][0] = Network::sum(kernel_.W_[k], 0, kOrder);
         }
         dut_->load_i = 1 << load::kAgain;
         dut_->start_i = 1;
@@ -125,18 +124,19 @@ class SplineNetwork : public testing::Test {
 
     /// Follows the network from the clock after its start to its end.
     void run() {
-        kernel_.expand();
+        kernel_.orders();
         int q = 0, x[3] = {}, v[3] = {}, w[3] = {};
         for (int k = 0; k < 3; ++k) v[k] = w[k] = kAnchor ? 0 : again_ ? -1 : 0;
         for (int cycle = 1; cycle <= kStepClocks; ++cycle) {
             dut_.settle();
             ASSERT_EQ(dut_->done_o, cycle == kStepClocks) << cycle;
-            check(dut_->q_o, kernel_.q, kOrder, q);
+            check(dut_->q_o, kernel_.q_, kOrder, q);
             const int top_w = kAnchor ? kTop - 1 : kOrder;
+            const int top_v = kAnchor && !kSeries ? kTop - 1 : kTop;
             for (int k = 0; k < 3; ++k) {
-                check(field(dut_->x_o, k * kTermBits, kTermBits), kernel_.x[k], kOrder, x[k]);
-                check(field(dut_->v_o, k * kTermBits, kTermBits), kernel_.V[k], kTop, v[k]);
-                check(field(dut_->w_o, k * kTermBits, kTermBits), kernel_.W[k], top_w, w[k]);
+                check(field(dut_->x_o, k * kTermBits, kTermBits), kernel_.x_[k], kOrder, x[k]);
+                check(field(dut_->v_o, k * kTermBits, kTermBits), kernel_.V_[k], top_v, v[k]);
+                check(field(dut_->w_o, k * kTermBits, kTermBits), kernel_.W_[k], top_w, w[k]);
             }
             if (HasFatalFailure()) FAIL() << "cycle " << cycle;
             dut_.tick();
@@ -145,8 +145,8 @@ class SplineNetwork : public testing::Test {
         ASSERT_EQ(v[2], kTop);
         for (int axis : x) ASSERT_EQ(axis, kSeries ? kOrder : 0);
         dut_.tick();
-        ASSERT_EQ(from_port(dut_->moved_o, kBits), Network::sum(kernel_.q, 1, kOrder));
-        ASSERT_EQ(from_port(dut_->phi_end_o, kBits), Network::sum(kernel_.phi, 0, kTop));
+        ASSERT_EQ(from_port(dut_->moved_o, kBits), Network::sum(kernel_.q_, 1, kOrder));
+        ASSERT_EQ(from_port(dut_->phi_end_o, kBits), Network::sum(kernel_.phi_, 0, kTop));
     }
 
     ClockedDut<Vspline_network> dut_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/network/spline_steps.sv equals hls::SplineKernel on every word of every integration step, for
+// rtl/network/spline_steps.sv equals hls::SplineCurve on every word of every integration step, for
 // the pieces of splines that the planner makes.
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 
 #include "Vspline_steps.h"
 #include "hls/clocks.hpp"
-#include "hls/spline_kernel.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
+#include "tb/support/judge/open_spline.hpp"
 #include "tb/support/segments/spline_segments.hpp"
 
 namespace curvecore::tb {
@@ -40,16 +40,7 @@ CoreParameters core() {
     return core;
 }
 
-/// The kernel with access to its words.
-using Base = hls::SplineKernel<RunTimeFormat>;
-struct Kernel : Base {
-    using Base::advance_;
-    using Base::Base;
-    using Base::net_;
-    using Base::position_;
-    using Base::step_a_;
-    using Base::step_b_;
-};
+using Kernel = OpenSpline<RunTimeFormat>;
 
 constexpr hls::TimedCore kCore{
     ref::Build::kParallel, kOrder, kBits, CFG_AuxAxes, kSeries, false, true, 1, kAnchor};
@@ -117,9 +108,9 @@ class SplineSteps : public testing::Test {
             if ((write >> (10 + k) & 1) == 0) continue;
             if (kSeries) {
                 ASSERT_EQ(place, ++x_[k]);
-                ASSERT_EQ(word(k), kernel_.net_.x[k][place]) << "order " << place;
+                ASSERT_EQ(word(k), kernel_.x_[k][place]) << "order " << place;
             } else {
-                const std::int64_t cubic[] = {kernel_.net_.V[k][0], kernel_.step_b_[k],
+                const std::int64_t cubic[] = {kernel_.V_[k][0], kernel_.half_W_[k],
                                               kernel_.step_a_[k]};
                 ASSERT_TRUE(place >= 1 && place <= 3) << place;
                 ASSERT_EQ(word(k), cubic[place - 1]) << "power " << place;
@@ -129,7 +120,7 @@ class SplineSteps : public testing::Test {
         if ((write >> 13 & 1) != 0) {
             const int order = static_cast<int>(write >> 6 & 15);
             ASSERT_EQ(order, ++own_);
-            ASSERT_EQ(word(3), kernel_.net_.q[order]) << "order " << order;
+            ASSERT_EQ(word(3), kernel_.q_[order]) << "order " << order;
         }
         ASSERT_EQ(write >> 14, 0U);
     }
@@ -145,12 +136,12 @@ class SplineSteps : public testing::Test {
             check_write();
             if (field(dut_->rate_o, kBits + 4, 1) != 0) {
                 const auto axis = field(dut_->rate_o, kBits, 4);
-                ASSERT_EQ(signed_field(dut_->rate_o, 0, kBits), kernel_.advance_[axis]);
+                ASSERT_EQ(signed_field(dut_->rate_o, 0, kBits), segment.advance[axis]);
                 ++rates;
             }
             if (field(dut_->point_o, 2 * kFine + 4, 1) != 0) {
                 const auto axis = field(dut_->point_o, 2 * kFine, 4);
-                ASSERT_EQ(signed_field(dut_->point_o, 0, kFine), kernel_.position_[axis]) << axis;
+                ASSERT_EQ(signed_field(dut_->point_o, 0, kFine), kernel_.origin_[axis]) << axis;
                 ASSERT_EQ(signed_field(dut_->point_o, kFine, kFine), segment.end[axis]) << axis;
                 ++points;
             }
@@ -182,8 +173,7 @@ class SplineSteps : public testing::Test {
     int own_ = 0;
     int x_[3] = {};
     int cubic_[3] = {};
-    ValueRanges ranges_{kBits};
-    Kernel kernel_{RunTimeFormat(core(), kAxes, &ranges_)};
+    Kernel kernel_{RunTimeFormat(core(), kAxes)};
     std::vector<RunSegment> segments_;
 };
 
