@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The front page fits on two screens, the pages of the trees are short, every link of a page leads
-to a file of this tree, and to a heading of it, and CITATION.cff has the version of CMakeLists.txt.
-"""
+"""The front page fits on two screens, the pages of the trees are short, and every link of a page
+leads to a file of this tree, and to a heading of it."""
 
 import pathlib
 import re
@@ -47,9 +46,6 @@ def main():
                      f" more than {WORDS}")
     found += [f"{page.relative_to(ROOT)}: more than {ROOM} words" for page in pages
               if page.name == "README.md" and page not in trees and words[page] > ROOM]
-    version = re.search(r"VERSION ([\d.]+) LANG", (ROOT / "CMakeLists.txt").read_text())[1]
-    if f"\nversion: {version}\n" not in (ROOT / ".github/CITATION.cff").read_text():
-        found.append(f".github/CITATION.cff: is not of version {version}")
     print(*found, sep="\n", end="\n" if found else "")
     # A link to nothing and one to no heading are seen.
     wrong = "[a](no_such.md) [b](README.md#no-such) [c](#no-such)"

@@ -14,7 +14,7 @@ cp -r "$1" "$folder/scripts"
 ln -s "$(realpath "$1/../sysc")" "$(realpath "$1/../ref")" "$folder"
 "$1/setup.sh" --help >/dev/null || complain "setup.sh --help: exit status $?"
 printf '#!/bin/sh\nexit 99\n' >"$folder/scripts/setup.sh"
-for command in bench campaign demo format linuxcnc real_parts synth test wheel; do
+for command in bench campaign demo format linuxcnc real_parts release synth test wheel; do
   text=$("$folder/scripts/$command.sh" --help) || complain "$command.sh --help: exit status $?"
   [ -n "$text" ] || complain "$command.sh --help says nothing"
 done
@@ -31,4 +31,5 @@ refused linuxcnc more
 refused test -L everything
 refused format more
 refused wheel more
+refused release more
 exit $status
