@@ -5,6 +5,7 @@
     scripts/synth.sh --core answer/core.json                      one that curvecore choose found
     scripts/synth.sh --sweep scripts/sweeps/readme.csv            a table, started again: the rest
     scripts/synth.sh --board colorlight_i5                        motion_board with its pins
+    scripts/synth.sh --project arty_a7                            the same for Vivado or Quartus
 
 One prints a row and writes build/synth/<core>-<build>-<device>.json, with the speed grade and the
 parameters in its name where these are not the default; a table becomes build/synth/<table>.csv.
@@ -18,6 +19,9 @@ A board becomes build/synth/boards/NAME: its bitstream, the files that it was ma
 The first seed that keeps the board's clock is taken.  --record notes its figures in
 sysc/cost/placed_boards.json, where `curvecore choose --board` and the pages read them.
 
+A project for Vivado or Quartus is set up in build/synth/projects/NAME, with copies of its files.
+These tools are not run here: nobody has tried the project in them, nor on the board.
+
 Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the input is wrong.
 """
 
@@ -28,7 +32,7 @@ import signal
 import sys
 from pathlib import Path
 
-from synthesis import bitstream, boards, placed_boards
+from synthesis import bitstream, boards, placed_boards, vendor_project
 from synthesis.command_line import Parser, number_of_seeds, settings
 from synthesis.configuration import configuration
 from synthesis.core_file import CoreFile, core_file
@@ -64,6 +68,9 @@ def arguments():
     parser.add_argument("--record", metavar="FILE", nargs="?", const=placed_boards.FILE,
                         help="of a board of scripts/boards: note what it took, for choose unless"
                         " another file (.json) is given")
+    parser.add_argument("--project", metavar="BOARD",
+                        help="set up for the vendor's tools: "
+                        + ", ".join(vendor_project.names()) + ", or a file (.json) like theirs")
     parser.add_argument("--sweep", metavar="FILE", help="a table of configurations (.csv)")
     parser.add_argument("--jobs", type=int, default=2, metavar="N",
                         help="of a sweep: at a time (2)")
@@ -135,11 +142,27 @@ def board(given, output):
     return 0
 
 
+def project(given, output):
+    """Returns the exit status."""
+    others = ("core", "build", "device", "speed", "top", "at_least", "sweep", "board", "record",
+              "pins_alone")
+    if any(getattr(given, other) for other in others):
+        raise Refused("--project has all of it in its table: --set and --output alone go with it")
+    wanted = vendor_project.board_named(given.project, settings(given.set))
+    folder = output / "projects" / wanted.name
+    tool = vendor_project.make(wanted, folder)
+    print(f"{wanted.name}: {wanted.part} at {wanted.clock_hz / 1e6:g} MHz, set up, not run; with"
+          f" {tool}: make -C {os.path.relpath(folder)}")
+    return 0
+
+
 def main():
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         given = arguments()
         output = Path(given.output).resolve()
+        if given.project:
+            return project(given, output)
         if given.board:
             return board(given, output)
         if given.pins_alone:

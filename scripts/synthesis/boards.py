@@ -86,9 +86,16 @@ def names():
 def board_named(name, given=()):
     """Returns the board of this name, or of a file, with the parameters `given` instead of its own.
     Raises Refused."""
-    if name not in names() and not name.endswith(".json"):
-        raise Refused(f"unknown board '{name}': one of {', '.join(names())}, or a file (.json)")
-    file = Path(name) if name.endswith(".json") else FOLDER / f"{name}.json"
+    return board_of(name, FOLDER, given, tools_of)
+
+
+def board_of(name, folder, given, check_tools):
+    """Returns the board of a name in a folder of tables, or of a file, if its tools make it.
+    Raises Refused."""
+    known = sorted(path.stem for path in folder.glob("*.json"))
+    if name not in known and not name.endswith(".json"):
+        raise Refused(f"unknown board '{name}': one of {', '.join(known)}, or a file (.json)")
+    file = Path(name) if name.endswith(".json") else folder / f"{name}.json"
     table = read_json(file)
     try:
         check_keys(table, [field.name for field in dataclasses.fields(Board)
@@ -97,6 +104,7 @@ def board_named(name, given=()):
         used = {name: pin for name, pin in table["pins"].items()
                 if name not in OUTPUTS or values.get("Outputs", "0") != "0"}
         board = Board(**table | {"name": file.stem, "parameters": values, "pins": used})
+        check_tools(board)
         check(board)
         return board
     except (ValueError, KeyError, TypeError, AttributeError) as error:
@@ -106,7 +114,6 @@ def board_named(name, given=()):
 
 
 def check(board):
-    tools_of(board)
     check_parameters(TOP, board.settings)
     check_pins(board)
     values = parameters(TOP) | board.settings
