@@ -134,7 +134,7 @@ int cam_command(CamChoice& asked) {
         const CamReport cam{options, surface, cut, watch, report.duration_s()};
         to.write("cam.json", cam.json().dump(2) + "\n");
         to.write("cam.html", cam.html());
-        if (!options.common.quiet) {
+        if (!options.common.quiet && !options.common.json) {
             for (const auto& [name, value] : cam.table()) fmt::print("{:<22} {}\n", name, value);
         }
         if (!cam.held()) {

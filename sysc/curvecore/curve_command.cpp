@@ -4,24 +4,19 @@
 // part is.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "hls/curves/kernel_text.hpp"
-#include "hls/registers/board_facts.h"
-#include "ref/bound/table_bound.hpp"
-#include "ref/curves/order_demand.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "ref/text/text_file.hpp"
-#include "rtl/engine/assembler/worst_case.hpp"
-#include "rtl/engine/compiler/curve_assembler.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/run_job.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/curvecore/asked_curve.hpp"
 #include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/table_check.hpp"
 #include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
@@ -35,49 +30,6 @@ RowValues row_values(const std::string& option, const std::string& text) {
     return {text.substr(0, equals), list_of(plain_number)(option, text.substr(equals + 1))};
 }
 
-/// Memory and clocks of the engine for the curve alone.
-std::string engine_text(const ref::CurveTable& table, const CoreParameters& core) {
-    try {
-        const assembler::Assembly assembly = assembler::curve_program(table, core);
-        const auto clocks = [&](const char* part) {
-            return assembler::worst_case(assembly, table.name + "_" + part, {"idle"});
-        };
-        return fmt::format(
-            "engine: {} instructions; {} clocks a segment, {} a step, {} a sample; parameter "
-            "Table={}\n",
-            assembly.placed().size() - 1, clocks("load"), clocks("step"), clocks("sample"),
-            curvecore_table_number(table.text.c_str()));
-    } catch (const assembler::AssemblyError& error) {
-        return fmt::format("engine: does not draw it: {}\n", error.what());
-    }
-}
-
-std::string rows_text(const ref::CurveTable& table, const CoreParameters& core,
-                      const ref::TableError* bound) {
-    const auto orders = ref::order_demand(table, core.order, core.polynomial());
-    std::string text = fmt::format("{:<16} {:>8} {:>10} {:>7}{}\n", "row", "bits", "range",
-                                   "orders", bound != nullptr ? "    largest  spare bits" : "");
-    for (const auto& [name, row] : table.rows) {
-        if (row.line == 0 || row.same_as) continue;  // no line makes tau, nor what has another name
-        const double range = row.range();
-        const auto order = orders.find(name);
-        text += fmt::format("{:<16} {:>8} {:>10} {:>7}", name + (row.of_axis ? "[k]" : ""),
-                            core.coef_bits + row.fraction, fmt::format("+-{:g}", range),
-                            order == orders.end() ? 0 : order->second);
-        if (bound != nullptr) {
-            const auto found = bound->largest.find(name);
-            const double largest = found == bound->largest.end() ? 0 : found->second;
-            text += largest > 0
-                        ? fmt::format(" {:>10.4g} {:>11.1f}", largest, std::log2(range / largest))
-                        : fmt::format(" {:>10} {:>11}", "-", "-");
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-constexpr int kLeastFraction = -16;
-
 /// Checks that the core is one of those that a table's lines are rounded for.
 void check_core(const CoreParameters& core) {
     if (core.anchor != 0 && core.parameter_guard == 0) return;
@@ -87,43 +39,40 @@ void check_core(const CoreParameters& core) {
 int check(CurveOptions& asked) {
     if (asked.has_formulas()) throw UsageError("--x --y --z: of run and derive");
     const ref::CurveTable table = ref::read_curve_table(asked.part.options.file);
-    const CoreParameters& core = asked.part.complete().core;
-    check_core(core);
-    const std::string title = fmt::format("{}: {}\n", table.name, table.title);
-    if (asked.rows.empty()) {
-        fmt::print("{}{}{}", title, rows_text(table, core, nullptr), engine_text(table, core));
-        return 0;
-    }
+    const Options& options = asked.part.complete();
+    check_core(options.core);
     ref::TableSegment segment;
-    segment.values = rows_of(table, asked);
-    segment.k = asked.step_exponent;
-    segment.lambda = asked.step_exponent + asked.down;
-    segment.steps = asked.steps;
-    const ref::TableError bound = ref::table_error(table, core, segment);
-    fmt::print("{}{}{}", title, rows_text(table, core, &bound), engine_text(table, core));
-    for (const std::string& row : bound.beyond) {
-        const int fraction = table.rows.at(row).fraction;
-        const double needed = -2 - std::floor(std::log2(bound.largest.at(row)));
-        fmt::print(stderr, "{}:{}: error: {} leaves its range: {}\n", table.file,
-                   table.rows.at(row).line, row,
-                   needed < kLeastFraction
-                       ? "no fraction holds it"
-                       : fmt::format("it needs a fraction of {:+}, not {:+}, or a shorter step",
-                                     static_cast<int>(needed), fraction));
+    if (!asked.rows.empty()) {
+        segment.values = rows_of(table, asked);
+        segment.k = asked.step_exponent;
+        segment.lambda = asked.step_exponent + asked.down;
+        segment.steps = asked.steps;
     }
-    if (!bound.beyond.empty()) return 1;
-    if (!std::isfinite(bound.worst())) {
+    const TableCheck found =
+        check_table(table, options.core, asked.rows.empty() ? nullptr : &segment);
+    if (options.json) {
+        print_json(found.json());
+    } else {
+        fmt::print("{}", found.text());
+    }
+    for (const BeyondRow& row : found.beyond) {
+        fmt::print(stderr, "{}:{}: error: {} leaves its range: {}\n", table.file, row.line, row.row,
+                   row.reason);
+    }
+    if (!found.beyond.empty()) return 1;
+    if (!found.held()) {
         fmt::print(stderr,
                    "{}: error: a series does not shrink in such steps, so nothing bounds what it "
                    "leaves out: take a shorter step\n",
                    table.file);
         return 1;
     }
+    if (!found.of_segment || options.json) return 0;
     fmt::print(
         "error: {:.4g} length units at most on any axis, before the final rounding, in {} step{} "
         "of "
         "2^{} units\n",
-        bound.worst(), asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
+        found.error, asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
     return 0;
 }
 
@@ -191,6 +140,8 @@ int kernel(CurveOptions& asked) {
 }
 
 int curve_command(CurveOptions& asked) {
+    const bool result = asked.action == CurveAction::kCheck || asked.action == CurveAction::kRun;
+    if (asked.part.options.json && !result) throw UsageError("--json: of run and check");
     if (asked.action == CurveAction::kKernel) return kernel(asked);
     if (asked.action == CurveAction::kDerive) return derive(asked);
     return asked.action == CurveAction::kCheck ? check(asked) : run(asked);

@@ -195,7 +195,7 @@ int join_command(JoinOptions& asked) {
         std::make_shared<const ref::HeldProgram>(ref::HeldProgram{std::move(joined), {}, {}});
     Runner runner(std::move(drawn));
     OutputFolder folder(options.folder);
-    if (!options.quiet) print_design(file);
+    if (!options.quiet && !options.json) print_design(file);
     folder.write("join.ngc", text);
     folder.write("join.json", file.text());
     folder.write("join.html", join_html(file, a, b, program));

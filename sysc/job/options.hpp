@@ -53,6 +53,7 @@ struct Options {
     bool splines_set = false;   // true: by --set or --core; false: as the program has splines
     bool aux_axes_set = false;  // true: by --set or --core; false: as the program needs
     bool quiet = false;
+    bool json = false;       // the result on stdout is JSON
     bool for_steps = false;  // for a board that counts steps: words keep every turn of an axis
     bool live = false;       // planned shortly before it is drawn: feeds may be raised
     int threads = 1;         // that plan

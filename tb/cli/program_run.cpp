@@ -65,7 +65,8 @@ void check_formats(const fs::path& here, const std::vector<std::string>& argumen
     const auto option = std::find(arguments.begin(), arguments.end(), "-o");
     if (arguments.end() - option < 2) return;
     std::string files;
-    for (const std::string name : {"report", "core", "words", "join", "segments", "explore"}) {
+    for (const std::string name :
+         {"report", "core", "words", "join", "segments", "explore", "compare", "choose"}) {
         const fs::path file = here / *(option + 1) / (name + ".json");
         if (fs::exists(file) && is_new(file)) files += " '" + file.string() + "'";
     }

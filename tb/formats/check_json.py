@@ -22,7 +22,8 @@ def schema(name):
 
 @functools.lru_cache(maxsize=None)
 def validator(name):
-    return fastjsonschema.compile(schema(name))
+    return fastjsonschema.compile(schema(name), handlers={"": lambda file: schema(
+        file.split(".")[0])})  # one schema names another's file
 
 
 def name_of(file, data):

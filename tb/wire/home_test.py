@@ -5,6 +5,7 @@
     home_test.py CURVECORE [unittest's options]
 """
 
+import json
 import os
 import pathlib
 import random
@@ -16,7 +17,7 @@ import tempfile
 import unittest
 
 from wire_parts import (AXES, CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, counts,
-                        read, until)
+                        flaw, read, report_of, until)
 
 FAR = 10**6
 # X latches where its switch closes, Y where it opens, below the travel; Z is above it.
@@ -207,6 +208,40 @@ class HomeTest(unittest.TestCase):
         steps = board.end()
         self.assertEqual(steps[-1][1:], (0, -1))
         self.assertLessEqual(abs(counts(steps)[0] - places[0]), 1)
+
+    def test_results_are_json(self):
+        board = subprocess.Popen(
+            [CURVECORE, "board", "--listen", "127.0.0.1:0", "--fast", "--json",
+             *switches((-FAR, -200, 400))],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(board.communicate)
+        self.addCleanup(board.kill)
+        port = next(filter(None, (re.match(r"listening on .*:(\d+):", line)
+                                  for line in board.stderr)))[1]
+        part = self.folder / "part.ngc"
+        part.write_text("G21 G90 G61 F600\nG1 X0.1\nM2\n", encoding="ascii")
+
+        def result(name, *words, status=0):
+            done = subprocess.run([CURVECORE, *words, "--to", f"udp:127.0.0.1:{port}", "--json"],
+                                  stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            self.assertEqual(done.returncode, status, done.stderr)
+            found = json.loads(done.stdout)
+            self.assertEqual(flaw(name, found), "")
+            return found
+
+        drawn = result("stream", "stream", part, "-o", self.folder / "drawn")
+        self.assertEqual(drawn, report_of(self.folder / "drawn"))
+        found = result("home", "home", "--machine", self.machine, "--axes", "Z")
+        self.assertEqual(found["end"], "homed")
+        self.assertEqual([axis["axis"] for axis in found["axes"]], ["Z"])
+        self.assertEqual(found["axes"][0]["switch_step"], 400)
+        failed = result("home", "home", "--machine", self.machine, "--axes", "X", status=1)
+        self.assertEqual(failed, {"end": "failed", "axes": []})
+        board.send_signal(signal.SIGINT)
+        ended = json.loads(board.communicate()[0])
+        self.assertEqual(flaw("board", ended), "")
+        self.assertEqual(ended["address"].split(":")[1], port)
+        self.assertGreater(ended["steps"], 40)
 
     def test_machines_that_cannot_be_homed(self):
         board = self.board((-100, -100, 100))

@@ -11,6 +11,7 @@
 #include "sysc/commands/board/board_panel.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/options/typed_option.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/curves/named_table.hpp"
 #include "sysc/virtual/board_server.hpp"
@@ -23,6 +24,7 @@ struct BoardOptions {
     BoardServerOptions served{kWireAddress, false, {}, Build::kEngine, nullptr};
     std::string folder;  // empty: no files
     std::string web;     // empty: no page
+    bool json = false;
 };
 
 VirtualRange range_of(const std::string& option, const std::string& text) {
@@ -67,11 +69,12 @@ int board_command(BoardOptions& options) {
             steps->write(fmt::format("{},{},{}\n", step.clock, step.axis, step.back ? -1 : 1));
     });
     const VirtualTimes& times = server.times();
-    fmt::print("listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
+    std::FILE* const said = options.json ? stderr : stdout;
+    fmt::print(said, "listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
                server.where(), VirtualBoard::kAxes, times.clock_hz / 1e6,
                std::exp2(times.period_log2) / times.clock_hz * 1e6,
                options.served.fast ? ", 5 ms of it a frame" : "");
-    std::fflush(stdout);
+    std::fflush(said);
     if (!options.web.empty()) panel.emplace(options.web, server, options.served.fast);
     const InterruptGuard guard;
     try {
@@ -87,6 +90,18 @@ int board_command(BoardOptions& options) {
         steps->close();
         outputs->close();
         folder->commit();
+    }
+    if (options.json) {
+        nlohmann::ordered_json pace;
+        if (!options.served.fast) pace = server.pace();
+        print_json({{"address", server.where()},
+                    {"axes", VirtualBoard::kAxes},
+                    {"clock_hz", times.clock_hz},
+                    {"sample_period_s", std::exp2(times.period_log2) / times.clock_hz},
+                    {"steps", count},
+                    {"duration_s", static_cast<double>(server.clocks()) / times.clock_hz},
+                    {"of_real_time", pace}});
+        return 0;
     }
     fmt::print("{} steps in {:.3f} s of its clock", count,
                static_cast<double>(server.clocks()) / times.clock_hz);
@@ -120,6 +135,7 @@ void add_board(CLI::App& app, int& status) {
     add_text(command, "-o,--output", options.folder, "DIR",
              "folder for steps.csv and outputs.csv: every step and edge of its pins, written when "
              "it ends");
+    add_json(command, options.json);
     add_text(command, "--web", options.web, "[ADDRESS:]PORT",
              "a page that shows it in a browser, on 127.0.0.1; port 0: any free one");
     add_values(command, "--home", served.axes.switches, "AXIS=FROM..TO,..",

@@ -10,6 +10,7 @@
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/options/typed_option.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/curves/named_table.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/homing.hpp"
@@ -76,6 +77,7 @@ int home_command(HomeOptions& asked) {
                           InterruptGuard::check();
                       });
         int exit = 0;
+        nlohmann::ordered_json json{{"end", "homed"}, {"axes", nlohmann::json::array()}};
         // Any axis may stand on its limit switch until it is homed.
         std::uint32_t limits = 0;
         for (const AxisHome& home : homes) limits |= limit_of(home);
@@ -84,21 +86,30 @@ int home_command(HomeOptions& asked) {
                 machine.ignore_limits(limits);
                 const std::int32_t place = homing.home(home);
                 limits &= ~limit_of(home);
-                if (options.quiet) continue;
-                fmt::print("{}: its switch is at step {}, {:g} mm; it stands at {:g} mm\n",
-                           ref::kAxisLetters[home.axis], place, home.place, home.home);
+                const char axis = ref::kAxisLetters[home.axis];
+                json["axes"].push_back({{"axis", std::string(1, axis)},
+                                        {"switch_step", place},
+                                        {"switch_mm", home.place},
+                                        {"home_mm", home.home}});
+                if (options.quiet || options.json) continue;
+                fmt::print("{}: its switch is at step {}, {:g} mm; it stands at {:g} mm\n", axis,
+                           place, home.place, home.home);
             }
         } catch (const HomingError& error) {
             fmt::print(stderr, "{}\n", error.what());
+            json["end"] = "failed";
             exit = 1;
         } catch (const HomingStopped&) {
+            json["end"] = "stopped";
             exit = 130;
         } catch (const Interrupted&) {
+            json["end"] = "stopped";
             exit = 130;
         }
         machine.ignore_limits(0);
         machine.disable();
         machine.finish();
+        if (options.json) print_json(json);
         return exit;
     } catch (const BoardLost& lost) {
         fmt::print(stderr, "{}: {}\n", wire.to, lost.what());
@@ -122,6 +133,7 @@ void add_home(CLI::App& app, int& status) {
               "the table that the board draws besides, if it is none of ref/curves: FILE.net",
               [](const std::string&, const std::string& text) { return named_table(text); });
     command.add_flag("-q,--quiet", asked.options.quiet, "print warnings and errors only");
+    add_json(command, asked.options.json);
     add_wire(command, asked.wire);
     command.footer(
         "One axis after the other, Z first unless HOME_SEQUENCE says otherwise. Ctrl-C stops.");

@@ -15,6 +15,7 @@
 #include "sysc/commands/options/part_options.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/start_check.hpp"
@@ -90,6 +91,7 @@ struct StreamOptions {
 int stream_command(StreamOptions& asked) {
     const WireOptions& wire = asked.wire;
     Options options = asked.part.complete();
+    options.quiet = options.quiet || options.json;
     const std::unique_ptr<Link> link = open_link(wire.to);
     try {
         RemoteMachine machine(*link);
@@ -160,14 +162,14 @@ int stream_command(StreamOptions& asked) {
         machine.disable();
         machine.finish();
         panel.reset();
+        const nlohmann::ordered_json json =
+            report(options, machine, stream, steps, following, quantum_mm, seconds, end);
         if (!options.folder.empty()) {
             OutputFolder folder(options.folder);
-            folder.write("report.json", report(options, machine, stream, steps, following,
-                                               quantum_mm, seconds, end)
-                                                .dump(2) +
-                                            "\n");
+            folder.write("report.json", json.dump(2) + "\n");
             folder.commit();
         }
+        if (options.json) print_json(json);
         if (end == "fault")
             fmt::print(stderr, "the board stopped: {}\n", fault_names(stream.faults()));
         if (!options.quiet) {

@@ -8,6 +8,7 @@
 #include "ref/program/program_reader.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/curves/named_table.hpp"
 #include "sysc/job/linuxcnc_program.hpp"
 
@@ -183,6 +184,7 @@ void add_surroundings(CLI::App& command, PartOptions& part) {
     add_text(command, "-o,--output", part.options.folder, "DIR",
              "folder for the results; FILE.out when left out");
     command.add_flag("-q,--quiet", part.options.quiet, "print warnings and errors only");
+    add_json(command, part.options.json);
     begin_group(command, group::kPlan);
     add_text(command, "--machine", part.options.machine, "FILE.ini", "limits from LinuxCNC's .ini");
     begin_group(command, group::kCore);

@@ -15,6 +15,7 @@
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/commands.hpp"
 #include "sysc/commands/terminal/device_clock.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/terminal/summary.hpp"
 #include "sysc/curves/word_check.hpp"
@@ -130,7 +131,7 @@ class WordFiles {
         return ticks_ << job.options.samples_per_tick_log2();
     }
 
-    std::string json(const Job& job) const {
+    nlohmann::ordered_json json(const Job& job) const {
         nlohmann::ordered_json json;
         json["words_version"] = hls::kWordsVersion;
         json["input"] = job.options.file;
@@ -162,7 +163,7 @@ class WordFiles {
         json["samples"] = samples(job);
         json["path_quanta"] = path_;
         json["bits_per_mm"] = bits_per_mm(job);
-        return json.dump(2) + "\n";
+        return json;
     }
 
     std::string summary(const Job& job) const {
@@ -248,9 +249,14 @@ int words_command(WordsOptions& asked) {
     }
     files.close();
     const Job& job = stream.job();
-    folder.write("words.json", files.json(job));
+    const nlohmann::ordered_json json = files.json(job);
+    folder.write("words.json", json.dump(2) + "\n");
     folder.commit();
-    if (!options.quiet) fmt::print("{}", files.summary(job));
+    if (options.json) {
+        print_json(json);
+    } else if (!options.quiet) {
+        fmt::print("{}", files.summary(job));
+    }
     print_warnings(job);
     if (failed) throw *failed;
     return 0;

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "sysc/commands/terminal/json_result.hpp"
+
 namespace curvecore::sysc {
 
 void print_warnings(const Job& job) {
@@ -20,7 +22,9 @@ void print_warnings(const Job& job) {
 
 void print_summary(const Report& report) {
     print_warnings(report.job);
-    if (!report.job.options.quiet) {
+    if (report.job.options.json) {
+        print_json(report.json());
+    } else if (!report.job.options.quiet) {
         for (const auto& [name, value] : report.table()) fmt::print("{:<22} {}\n", name, value);
         fmt::print("{:<22} {}\n", "result", report.held() ? "every check held" : "A CHECK FAILED");
         fmt::print("{:<22} {}/report.html\n", "report", report.job.options.folder);

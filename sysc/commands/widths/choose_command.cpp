@@ -12,6 +12,7 @@
 #include "sysc/cli/progress_bar.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/widths/commands.hpp"
 #include "sysc/core/board_file.hpp"
@@ -31,6 +32,7 @@ struct ChooseOptions {
     std::string machine;  // LinuxCNC's .ini; empty: the built-in one
     bool confirm = false;
     bool quiet = false;
+    bool json = false;
 };
 
 /// Completes the requirement and checks it.
@@ -126,7 +128,11 @@ int choose_command(ChooseOptions& options) {
         folder->write("choose.json", report.json().dump(2) + "\n");
         folder->commit();
     }
-    if (!options.quiet) fmt::print("{}", report.text());
+    if (options.json) {
+        print_json(report.json());
+    } else if (!options.quiet) {
+        fmt::print("{}", report.text());
+    }
     if (report.choices.empty()) return kImpossible;
     if (!held) fmt::print(stderr, "curvecore: check failed: slower than the requirement needs\n");
     return held ? 0 : 1;
@@ -193,6 +199,7 @@ void add_choose(CLI::App& app, int& status) {
                   "place and route the answer with scripts/synth.sh: minutes")
         ->excludes(board);
     command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+    add_json(command, options.json);
     command.footer(
         "Exit status: 0 there is one; 1 --confirm failed or is too slow; 2 the command line is "
         "wrong; "

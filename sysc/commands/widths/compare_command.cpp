@@ -7,6 +7,7 @@
 #include "sysc/commands/options/part_options.hpp"
 #include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/terminal/summary.hpp"
 #include "sysc/commands/widths/commands.hpp"
@@ -116,7 +117,8 @@ int compare_command(CompareChoice& asked) {
     }
     CompareReport report{options, job.program, result, {}};
     if (!result.interrupted) report.answers = answers(options, job.program, result);
-    folder.write("compare.json", report.json().dump(1) + "\n");
+    const nlohmann::ordered_json json = report.json();
+    folder.write("compare.json", json.dump(1) + "\n");
     folder.write("compare.csv", report.csv());
     folder.write("report.html", report.html());
     if (report.answers.size() == 1 && report.answers.front().take) {
@@ -124,7 +126,9 @@ int compare_command(CompareChoice& asked) {
     }
     folder.commit();
     print_warnings(job);
-    if (!options.common.quiet) {
+    if (options.common.json) {
+        print_json(json);
+    } else if (!options.common.quiet) {
         fmt::print("{}{}", report.table(), report.curves_table());
         fmt::print(
             "errors in units of {} at {} places; {} segments with the widest words, {} at most; "

@@ -11,6 +11,7 @@
 #include "sysc/commands/part/planned_job.hpp"
 #include "sysc/commands/terminal/device_clock.hpp"
 #include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/terminal/summary.hpp"
 #include "sysc/commands/widths/commands.hpp"
@@ -68,11 +69,16 @@ int explore_command(ExploreOptions& asked) {
     const std::vector<ExploreRow> rows = Explorer(planned.options, grid, progress).explore();
     bar.reset();  // before the first line of the results
     const ExploreReport report{planned, grid, rows};
-    folder.write("explore.json", report.json().dump(1) + "\n");
+    const nlohmann::ordered_json json = report.json();
+    folder.write("explore.json", json.dump(1) + "\n");
     folder.write("explore.html", report.html());
     folder.commit();
     print_warnings(planned);
-    if (!options.quiet) fmt::print("{}report  {}/explore.html\n", report.table(), options.folder);
+    if (options.json) {
+        print_json(json);
+    } else if (!options.quiet) {
+        fmt::print("{}report  {}/explore.html\n", report.table(), options.folder);
+    }
     return report.answered() ? 0 : 3;
 }
 
