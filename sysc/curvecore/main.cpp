@@ -14,6 +14,7 @@
 #include "sysc/commands/board/commands.hpp"
 #include "sysc/commands/part/commands.hpp"
 #include "sysc/commands/terminal/completion.hpp"
+#include "sysc/commands/terminal/config_file.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/widths/commands.hpp"
 #include "sysc/curvecore/commands.hpp"
@@ -31,7 +32,15 @@ int run(std::vector<std::string> arguments) {
           add_home, add_board, add_explore, add_curve, add_completion}) {
         add(app, status);
     }
-    parse(app, std::move(arguments));
+    add_config(app);
+    const ConfigFile config(app, std::move(arguments));
+    config.report();
+    try {
+        parse(app, config.arguments());
+    } catch (const UsageError& error) {
+        config.place(error);
+        throw;
+    }
     return status;
 }
 
