@@ -6,7 +6,10 @@ screen, no script fails, nothing comes from the network, and one cursor goes thr
     pages_test.py --program build/curvecore [--pictures FOLDER]
 """
 
+import json
 import pathlib
+import re
+import shlex
 import subprocess
 import tempfile
 import unittest
@@ -97,6 +100,45 @@ class Pages(unittest.TestCase):
                          [0, 0.5, 1, 0])
         self.open("report", 1280)
         self.assertIsNone(self.browser.get('byId("outputsCard")'))
+
+    def test_the_error_to_keep_is_a_line_of_the_figure_that_it_is_of(self):
+        self.open("compare", 1280)
+        lines = """["width", "cost"].map((id) => [...byId(id).querySelectorAll("text")]
+                     .filter((t) => t.textContent === "the error to keep: 0.6").length)"""
+        self.assertEqual(self.browser.get(lines), [1, 1])
+        self.browser.choose("#figure", "2")
+        self.assertEqual(self.browser.get(lines), [0, 0])
+
+    def test_an_answer_is_copied_as_it_is_used(self):
+        self.open("compare", 1280)
+        forms = dict(self.browser.get("forms(D.answers[0].core)"))
+        self.assertEqual(list(forms), ["Command", "core.json", "SystemVerilog"])
+        for n, (what, text) in enumerate(forms.items()):
+            self.browser.click(f"#answerCard button:nth-of-type({n + 1})")
+            self.assertEqual(self.browser.get('document.querySelector("pre").textContent'), text)
+            self.assertIn(what, self.browser.get(
+                f"document.querySelectorAll('#answerCard button')[{n}].textContent"))
+        (self.folder / "core.json").write_text(forms["core.json"], encoding="ascii")
+        program, *words = shlex.split(forms["Command"])
+        self.assertEqual(program, "curvecore")
+        written = [json.loads(subprocess.run(
+            [OPTIONS.program, *command, "--json", "-o", self.folder / "again"], cwd=DATA,
+            check=True, capture_output=True).stdout)["parameters"]
+            for command in (words, ["plan", "arcs.ngc", "--core", self.folder / "core.json"])]
+        self.assertEqual(*written)
+
+        def parameters(file):
+            return re.findall(r"^ *parameter (?:int )?(\w+)",
+                              (DATA.parents[1] / "rtl" / file).read_text(), re.M)
+
+        serial = re.findall(r"\.(\w+)\(\d+\)", forms["SystemVerilog"])
+        self.assertEqual(set(serial), set(parameters("curve_interpolator_serial.sv")))
+        for build, value in (("parallel", "0"), ("engine", "2")):
+            forms = dict(self.browser.get(f"forms({{...D.answers[0].core, build: '{build}'}})"))
+            given = dict(re.findall(r"\.(\w+)\((\d+)\)", forms["SystemVerilog"]))
+            self.assertLessEqual(set(given), set(parameters("motion_interpolator.sv")))
+            self.assertEqual(dict(re.findall(r"--([A-Z]\w+) (\d+)", forms["FuseSoC"])), given)
+            self.assertEqual((given["Build"], given["Order"]), (value, "4"))
 
     def test_a_flat_part_has_one_view(self):
         self.open("report", 1280)
