@@ -28,8 +28,8 @@ int run(std::vector<std::string> arguments) {
     begin_help(app);
     int status = 0;
     for (const auto add :
-         {add_run, add_plan, add_words, add_cam, add_join, add_compare, add_choose, add_stream,
-          add_home, add_board, add_explore, add_curve, add_completion}) {
+         {add_run, add_plan, add_words, add_vectors, add_cam, add_join, add_compare, add_choose,
+          add_stream, add_home, add_board, add_explore, add_curve, add_completion}) {
         add(app, status);
     }
     add_config(app);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/python/planned_part.hpp"
 
-#include "sysc/board/feeder.hpp"
-#include "sysc/board/kernel_board.hpp"
+#include "sysc/board/kernel_drawing.hpp"
 #include "sysc/commands/options/part_options.hpp"
-#include "sysc/words/path_source.hpp"
 
 namespace curvecore::sysc {
 PlannedPart::PlannedPart(const std::vector<std::string>& arguments)
@@ -30,31 +28,19 @@ std::vector<std::uint64_t> PlannedPart::profile_words() const {
 }
 
 PlannedPart::Samples PlannedPart::draw() const {
-    KernelBoard board(job_.options.core, board_settings(job_));
-    const std::uint64_t count = count_samples(job_.plan, job_.options.samples_per_tick_log2(),
-                                              job_.options.override_word());
-    Feeder feeder(job_, count, board);
+    const std::uint64_t count = count_samples(job_);
     const auto axes = static_cast<std::size_t>(this->axes());
     Samples drawn;
     drawn.position.reserve((count + 1) * axes);
     drawn.fine.reserve((count + 1) * axes);
-    const RunTimeFormat format(job_.options.core, this->axes());
-    const RunSegment first = JoinedSegments(format).next(job_.plan.segments.front());
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-        drawn.position.push_back(hls::to_position(first.start[axis], format));
-        drawn.fine.push_back(first.start[axis]);
-    }
-    std::vector<Sample> batch;
-    while (!feeder.done()) {
-        batch.clear();
-        feeder.turn(batch);
-        for (const Sample& sample : batch) {
-            for (std::size_t axis = 0; axis < axes; ++axis) {
-                drawn.position.push_back(sample.position[axis]);
-                drawn.fine.push_back(sample.fine[axis]);
-            }
+    const auto take = [&](const Sample& sample) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            drawn.position.push_back(sample.position[axis]);
+            drawn.fine.push_back(sample.fine[axis]);
         }
-    }
+    };
+    take(start_of(job_));
+    draw_by_kernel(job_, count, take);
     return drawn;
 }
 

@@ -29,8 +29,8 @@ std::vector<std::string> run_with(std::vector<std::string> more) {
 const std::vector<BadCommandLine> kBadCommandLines{
     {"UnknownCommand",
      {"draw", "part.ngc"},
-     "curvecore: error: there is no command 'draw'; there are run, plan, words, cam, "
-     "join, compare, choose, stream, home, board, explore, curve, "
+     "curvecore: error: there is no command 'draw'; there are run, plan, words, "
+     "vectors, cam, join, compare, choose, stream, home, board, explore, curve, "
      "completion"},
     {"NoFile", {"plan", "-o", "out"}, "curvecore: error: FILE is required"},
     {"OutputWithoutName",
@@ -216,6 +216,9 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"OutputNotWritable",
      {"words", "part.ngc", "-o", "/proc/out"},
      "/proc/out: error: cannot be made: No such file or directory"},
+    {"VectorsThatAreStalled",
+     {"vectors", "part.ngc", "--stall", "1"},
+     "curvecore: error: vectors has no option '--stall'; vectors --help-all lists them"},
 };
 
 class BadCommand : public testing::TestWithParam<BadCommandLine> {};

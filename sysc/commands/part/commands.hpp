@@ -13,5 +13,7 @@ void add_run(CLI::App& app, int& status);
 void add_plan(CLI::App& app, int& status);
 /// Words as memory files.
 void add_words(CLI::App& app, int& status);
+/// The same, and the samples that come of them.
+void add_vectors(CLI::App& app, int& status);
 
 }  // namespace curvecore::sysc
