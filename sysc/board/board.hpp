@@ -11,11 +11,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace curvecore::sysc {
 
 constexpr std::size_t kBoardAxes = 9;
+
+/// A board that does not what boards do.
+class BoardError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 enum class Stream { kSegments, kProfile };
 

@@ -49,10 +49,10 @@ void Feeder::turn(std::vector<Sample>& samples) {
         walked_ += static_cast<std::uint64_t>(samples[k].rate);
     }
     waited_ = came > 0 ? 0 : waited_ + 1;
-    if (waited_ > kPatience) {
-        throw std::runtime_error(
-            fmt::format("the board gave no sample for 50 million turns; faults: {}",
-                        fault_text(board_.status().fault)));
+    const std::uint64_t patience = board_.paced() ? kPatience : kPatienceOfACore;
+    if (waited_ > patience) {
+        throw BoardError(fmt::format("the board gave no sample for {} million turns; faults: {}",
+                                     patience / 1'000'000, fault_text(board_.status().fault)));
     }
 }
 

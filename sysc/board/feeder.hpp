@@ -17,13 +17,15 @@ class Feeder {
 
     /// Writes the words that fit, requests the samples that they cover and lets the board work.
     /// Appends the samples that came.
-    /// @throws std::runtime_error when the board no longer returns samples
+    /// @throws BoardError when the board no longer returns samples
     void turn(std::vector<Sample>& samples);
 
     bool done() const { return received_ == samples_; }
 
   private:
     static constexpr std::uint64_t kPatience = 50'000'000;  // turns without a sample
+    /// The same of a core, which is late by 2^17 clocks at most.
+    static constexpr std::uint64_t kPatienceOfACore = 2'000'000;
     /// Bound on ticks that are requested but not yet counted by the board, with a margin.
     static constexpr std::int64_t kOnTheWay = 64;
 

@@ -3,7 +3,8 @@
 # make_core.sh TREE DIR TOP SOURCE NAME=VALUE... : verilates TREE's TOP, motion_interpolator or
 # motion_board, with these parameters and compiles it with SOURCE to DIR/core.so, which curvecore
 # opens.  Environment: VERILATOR CXX CCACHE, as for verilate.sh; MICROCODE, the folder in which an
-# engine finds its programs; RTL, the folder of the modules.
+# engine finds its programs; RTL, the folder of the modules, or DUT, flags and files for Verilator
+# of a design of others, which has TOP.
 set -eu
 tree=$1
 dir=$2
@@ -17,19 +18,23 @@ for parameter; do
   definitions="$definitions -DCFG_$parameter"
 done
 set --
-case " $parameters " in
-  *" -GBuild=2 "*)
-    set -- "-GProgram=\"$MICROCODE/program.hex\"" "-GData=\"$MICROCODE/data.hex\""
-    ;;
-esac
-search=$(find "$RTL" -type d -printf '-y %p ')
-packages=$(find "$RTL" -name '*_pkg.sv' | sort)
+if [ -n "$DUT" ]; then
+  set -- $DUT
+else
+  case " $parameters " in
+    *" -GBuild=2 "*)
+      set -- "-GProgram=\"$MICROCODE/program.hex\"" "-GData=\"$MICROCODE/data.hex\""
+      ;;
+  esac
+  search=$(find "$RTL" -type d -printf '-y %p ')
+  packages=$(find "$RTL" -name '*_pkg.sv' | sort)
+  set -- "$@" --top-module "$top" $parameters $search $packages "$RTL/$top.sv"
+fi
 CFLAGS="-fPIC"
 export CFLAGS
 # Waveforms stop above the multipliers; boards have none, and are made in half of the time.
 [ "$top" = motion_board ] || set -- "$@" --trace-fst --trace-depth 6
-"$tree/sysc/cmake/verilate.sh" "$dir" Vcore --top-module "$top" --prefix Vcore $parameters "$@" \
-  $search $packages "$RTL/$top.sv"
+"$tree/sysc/cmake/verilate.sh" "$dir" Vcore --prefix Vcore "$@"
 include=$("$VERILATOR" --getenv VERILATOR_ROOT)/include
 ${CCACHE:-} $CXX $CFLAGS -std=c++17 -w -O2 -c -o "$dir/core.o" $definitions \
   -DCFG_FUNCTION=curvecore_model \

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <deque>
-#include <stdexcept>
 
 #include "sysc/board/staller.hpp"
 #include "sysc/cores/clocked_dut.hpp"
@@ -146,7 +145,7 @@ class RtlBoard : public Board {
     }
 
     void take_sample(Sample& sample) {
-        if (moves_.empty()) throw std::runtime_error("the core gave a sample before its move");
+        if (moves_.empty()) throw BoardError("the core gave a sample before its path_valid_o");
         sample.ds = moves_.front().ds;
         sample.rate = moves_.front().rate;
         sample.clock = dut_.cycle() - first_clock_;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program curvecore: parts through the cores, from the command line.
 //
-// Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// invalid, and nothing was written; 3 choose, explore: no configuration meets the request; 130
-// interrupted, nothing written (compare: the finished rows are).
+// Exit status: 0 done and every check held; 1 a check failed, or a board gives no samples; 2 the
+// input or the command line is invalid, and nothing was written; 3 choose, explore: no
+// configuration meets the request; 130 interrupted, nothing written (compare: the finished rows
+// are).
 #include <fmt/format.h>
 
 #include <system_error>
 
 #include "ref/text/input_error.hpp"
+#include "sysc/board/board.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/board/commands.hpp"
@@ -58,6 +60,8 @@ int main(int argc, char** argv) {
         return fail(2, "", error);
     } catch (const sysc::UsageError& error) {
         return fail(2, "curvecore: error: ", error);
+    } catch (const sysc::BoardError& error) {
+        return fail(1, "curvecore: error: ", error);
     } catch (const sysc::Interrupted&) {
         return 130;
     } catch (const std::system_error& error) {  // a disk that is full

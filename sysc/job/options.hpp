@@ -60,7 +60,8 @@ struct Options {
 
     // Options of `run` alone
     BoardKind board = BoardKind::kRtl;
-    std::string rtl;  // folder of the core's sources; empty: those of the program
+    std::string rtl;               // folder of the core's sources; empty: those of the program
+    std::vector<std::string> dut;  // files of a design with a core's ports, in place of the core
     SystemSettings system;
     std::optional<std::uint64_t> stall_seed;
     double override_percent = 100;

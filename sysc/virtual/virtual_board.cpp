@@ -8,8 +8,8 @@
 
 #include "hls/place_scaler.hpp"
 #include "ref/curves/curve_table.hpp"
+#include "sysc/cache/core_cache.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/cores/core_cache.hpp"
 
 namespace curvecore::sysc {
 

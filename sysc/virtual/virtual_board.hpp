@@ -59,7 +59,7 @@ class VirtualBoard {
     /// `step` is called for every rising edge of a step pin while the drives are on. A board is
     /// made when its build, or its table, is first asked for. An engine draws the table, if one is
     /// given, among lines, arcs and splines.
-    /// @throws UsageError: another build; those of sysc/cores/core_cache.hpp
+    /// @throws UsageError: another build; those of sysc/cache/core_cache.hpp
     VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
                  Build build = Build::kEngine,
                  std::shared_ptr<const ref::CurveTable> table = nullptr);

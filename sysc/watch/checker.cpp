@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "hls/quantise.hpp"
+#include "ref/curve/axes.hpp"
 #include "sysc/curves/error_figures.hpp"
 
 namespace curvecore::sysc {
-
 Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
     : job_(job),
       core_axes_(job.options.core.axes()),
@@ -84,14 +85,31 @@ void Checker::compare_with_kernel(const Sample& drawn) {
         differing += drawn.position[a] != hls::to_position(fine[axis], format_);
     }
     if (differing != 0 && result_.differing_words == 0) {
-        result_.first_difference = fmt::format(
-            "sample {}, segment {} of line {}: board ds {} x {} y {} z {}, kernel ds {} x {} y {} "
-            "z {} (fine words)",
-            result_.samples, next_segment_ - 1, job_.plan.segments[next_segment_ - 1].line,
-            drawn.ds, drawn.fine[0], drawn.fine[1], drawn.fine[2], source_.ds(), fine[0], fine[1],
-            fine[2]);
+        result_.first_difference =
+            fmt::format("sample {}, segment {} of line {}: {}", result_.samples, next_segment_ - 1,
+                        job_.plan.segments[next_segment_ - 1].line, differences(drawn, fine));
     }
     result_.differing_words += static_cast<std::uint64_t>(differing);
+}
+
+/// Names the words of a sample that are not the kernel's.
+std::string Checker::differences(const Sample& drawn, const std::int64_t* fine) const {
+    std::string board = "board";
+    std::string kernel = "kernel";
+    const auto compare = [&](const std::string& name, std::int64_t of_board, std::int64_t wanted) {
+        if (of_board == wanted) return;
+        board += fmt::format(" {} {}", name, of_board);
+        kernel += fmt::format(" {} {}", name, wanted);
+    };
+    compare("ds", drawn.ds, source_.ds());
+    compare("rate", drawn.rate, source_.rate());
+    for (int axis = 0; axis < core_axes_; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const std::string name(1, static_cast<char>(std::tolower(ref::kAxisLetters[a])));
+        compare("fine " + name, drawn.fine[a], fine[axis]);
+        compare(name, drawn.position[a], hls::to_position(fine[axis], format_));
+    }
+    return board + ", " + kernel;
 }
 
 void Checker::compare_with_curve(const Sample& drawn) {

@@ -32,6 +32,7 @@ class Checker {
   private:
     void start();
     void compare_with_kernel(const Sample& drawn);
+    std::string differences(const Sample& drawn, const std::int64_t* fine) const;
     void compare_with_curve(const Sample& drawn);
     void meter(const ref::AxisPoint& exact, const std::int64_t* position);
     KindResult& kind_of(const ref::Segment& segment);

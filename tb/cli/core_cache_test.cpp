@@ -128,7 +128,8 @@ TEST_F(MadeCore, OfAFolderOfOnesOwnIsHeldToTheKernel) {
         draw("sed -i 's/{d_i, /{-d_i, /' fork/arithmetic/fine_scale.v", "-o wrong --rtl fork");
     EXPECT_EQ(wrong.status, 1) << wrong.err;
     EXPECT_NE(wrong.err.find(" words differ; first: sample "), std::string::npos) << wrong.err;
-    EXPECT_NE(wrong.err.find(" of line 2: board ds "), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find(" of line 2: board fine x -4, kernel fine x 4"), std::string::npos)
+        << wrong.err;
 
     const ProgramResult broken =
         draw("echo module >fork/motion_interpolator.sv", "-o broken --rtl fork -q");

@@ -15,25 +15,41 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Reads the folder of a core's sources; make_core.sh and Verilator's make take plain names.
+/// Checks a path of RTL: make_core.sh and Verilator's make take plain names.
+void check_name(const std::string& option, const std::string& path) {
+    const std::size_t at = path.find_first_of(" \t\n*?[]\\$`'\"#%;&|<>()");
+    if (at == std::string::npos) return;
+    throw UsageError(fmt::format("{} '{}': no file of RTL can be read whose path has a '{}'",
+                                 option, path, path[at]));
+}
+
+/// Reads the folder of a core's sources.
 std::string folder_of_rtl(const std::string& option, const std::string& text) {
     namespace fs = std::filesystem;
-    const auto check_name = [&](const std::string& path) {
-        const std::size_t at = path.find_first_of(" \t\n*?[]\\$`'\"#%;&|<>()");
-        if (at == std::string::npos) return;
-        throw UsageError(fmt::format("{} '{}': no file of RTL can be read whose path has a '{}'",
-                                     option, path, path[at]));
-    };
     std::error_code unknown;
     const fs::path folder = fs::canonical(text, unknown);
     if (unknown || !fs::exists(folder / "motion_interpolator.sv", unknown)) {
         throw UsageError(fmt::format("{} '{}': there is no motion_interpolator.sv", option, text));
     }
-    check_name(folder);
+    check_name(option, folder);
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_directory() || entry.path().extension() == ".sv") check_name(entry.path());
+        if (entry.is_directory() || entry.path().extension() == ".sv") {
+            check_name(option, entry.path());
+        }
     }
     return folder;
+}
+
+/// Reads a file of a design of others.
+std::string file_of_dut(const std::string& option, const std::string& text) {
+    namespace fs = std::filesystem;
+    std::error_code unknown;
+    const fs::path file = fs::canonical(text, unknown);
+    if (unknown || !fs::is_regular_file(file, unknown)) {
+        throw UsageError(fmt::format("{} '{}': there is no such file", option, text));
+    }
+    check_name(option, file);
+    return file;
 }
 
 constexpr double kArcTolerance = 1e-3;  // mm
@@ -303,6 +319,12 @@ void add_drawing(CLI::App& command, PartOptions& part) {
     add_value(command, "--rtl", options.rtl, "FOLDER",
               "sources of the RTL, in place of the program's: a copy of rtl/ with changes of yours",
               folder_of_rtl);
+    add_values(command, "--dut", options.dut, "FILE.v",
+               "a design of yours with the ports of rtl/motion_interpolator.sv, in place of the "
+               "core; once for each of its files",
+               file_of_dut)
+        ->allow_extra_args(false)
+        ->take_all();
     command
         .add_option_function<std::vector<std::string>>(
             "--system",

@@ -3,13 +3,13 @@
 
 #include "sysc/board/feeder.hpp"
 #include "sysc/board/kernel_board.hpp"
+#include "sysc/cache/core_cache.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/progress_bar.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/part/planned_job.hpp"
 #include "sysc/commands/part/publish.hpp"
 #include "sysc/cores/compiled_core.hpp"
-#include "sysc/cores/core_cache.hpp"
 #include "sysc/cores/gtkw_writer.hpp"
 #include "sysc/system/pin_gtkw.hpp"
 #include "sysc/system/system_board.hpp"
@@ -39,8 +39,13 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
 
 /// Checks that the core has a path: that of the serial build has none; and that there is RTL.
 void check_motion(const Options& options) {
-    if (!options.rtl.empty() && !options.needs_rtl()) {
-        throw UsageError("--rtl: with --on rtl or systemc-rtl");
+    for (const auto& [name, given] :
+         {std::pair("--rtl", !options.rtl.empty()), std::pair("--dut", !options.dut.empty())}) {
+        if (!given || options.needs_rtl()) continue;
+        throw UsageError(fmt::format("{}: with --on rtl or systemc-rtl", name));
+    }
+    if (!options.rtl.empty() && !options.dut.empty()) {
+        throw UsageError("--rtl or --dut: one of them draws");
     }
     if (options.core.build != Build::kSerial || options.board == BoardKind::kKernel) return;
     throw UsageError(
@@ -55,8 +60,9 @@ Runner::Runner(Options options) {
     hold_input(options);
     JobStream stream(options);
     CoreParameters& core = stream.options().core;
+    const bool own = options.rtl.empty() && options.dut.empty();
     const CompiledCore* const built_in =
-        options.needs_rtl() && options.rtl.empty() ? find_core(stream.options()) : nullptr;
+        options.needs_rtl() && own ? find_core(stream.options()) : nullptr;
     if (built_in != nullptr) {
         const int form = core.multiplier_form;
         core = built_in->parameters;
@@ -66,7 +72,7 @@ Runner::Runner(Options options) {
     job_ = plan_and_check(stream);
     add_other_forms(job_);
     if (options.needs_rtl() && built_in == nullptr) {
-        make_ = CoreCache(options.rtl).open(job_.options.core, options.quiet);
+        make_ = CoreCache(options.rtl, options.dut).open(job_.options.core, options.quiet);
     }
 }
 
@@ -86,7 +92,15 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
         bar->update(done);
     };
     std::unique_ptr<Board> board = make_board(job_, make_, waveform, pins);
-    const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});
+    const BoardResult drawn = [&] {
+        try {
+            return run_board(*board, {job_, samples, writer, pictures, progress});
+        } catch (const BoardError& error) {
+            throw BoardError(fmt::format("{}; its words are for {} {}", error.what(),
+                                         build_name(options.core.build),
+                                         ref::parameters_text(options.core)));
+        }
+    }();
     bar.reset();    // before the first line of the results
     board.reset();  // closes the waveform
     writer.close();
@@ -95,7 +109,7 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     if (!pins.empty())
         folder.write("system.gtkw",
                      pin_gtkw(options.folder, axis_names(job_), report.duration_s()));
-    if (!waveform.empty()) {
+    if (!waveform.empty() && options.dut.empty()) {  // a design of others has signals of its own
         folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder,
                                         {options.clock_hz, drawn.first_clock}));
     }

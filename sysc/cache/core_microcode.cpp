@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/cores/core_microcode.hpp"
+#include "sysc/cache/core_microcode.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cache of cores: a core's folder <build>-<digest> holds core.so and core.sum, the digest of
 // core.so's bytes, and an engine's programs. A truncated or changed entry is made again.
-#include "sysc/cores/core_cache.hpp"
+#include "sysc/cache/core_cache.hpp"
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,8 @@
 
 #include "ref/format/queues.hpp"
 #include "rtl/engine/compiler/word_numbers.hpp"
+#include "sysc/cache/build_tools.hpp"
+#include "sysc/cache/dut_design.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/shipped_files.hpp"
 #include "sysc/cli/usage_error.hpp"
@@ -72,75 +73,25 @@ class Lock {
     int file_;
 };
 
-bool in_path(const std::string& tool) {
-    const char* const path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        if (access((fs::path(folder) / tool).c_str(), X_OK) == 0) return true;
+/// A folder that is removed again.
+class Scratch {
+  public:
+    explicit Scratch(fs::path folder) : folder_(std::move(folder)) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
     }
-    return false;
-}
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
 
-/// Runs a command and returns its stdout and stderr.
-std::string output_of(const std::string& command) {
-    FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("cannot start a shell");
-    std::string text;
-    std::array<char, 4096> part{};
-    std::size_t count = 0;
-    while ((count = fread(part.data(), 1, part.size(), pipe)) > 0) text.append(part.data(), count);
-    pclose(pipe);
-    return text;
-}
+    const fs::path& folder() const { return folder_; }
 
-/// Checks that the tools are those that the program was made with; cores need the same.
-void check_tools() {
-    for (const char* tool : {"verilator", "make", CURVECORE_CXX}) {
-        const std::string name = fs::path(tool).filename();
-        if (fs::path(tool).is_absolute() ? access(tool, X_OK) == 0 : in_path(tool)) continue;
-        throw UsageError(
-            fmt::format("this core is not built in, and {} is missing to make it: install "
-                        "verilator, make and {}, or run with --on kernel",
-                        name, fs::path(CURVECORE_CXX).filename().string()));
-    }
-    const std::string version = output_of("verilator --version");
-    if (version.find(CURVECORE_VERILATOR_VERSION) == std::string::npos) {
-        throw UsageError(fmt::format(
-            "this core is not built in, and cannot be made: the program needs Verilator {}, here "
-            "is {}",
-            CURVECORE_VERILATOR_VERSION, version.substr(0, version.find('\n'))));
-    }
-}
-
-/// Runs a program with its output in a file. Returns its exit status.
-int run(const std::vector<std::string>& arguments, const fs::path& log) {
-    const pid_t child = fork();
-    if (child == 0) {
-        std::vector<char*> argv;
-        argv.reserve(arguments.size() + 1);
-        for (const std::string& argument : arguments) {
-            argv.push_back(const_cast<char*>(argument.c_str()));
-        }
-        argv.push_back(nullptr);
-        const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-        if (file < 0 || dup2(file, STDOUT_FILENO) < 0 || dup2(file, STDERR_FILENO) < 0) _exit(127);
-        execvp(argv[0], argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child) return -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-/// Reason of a failure from a tool's output: its first line with an error, or its last line.
-std::string reason_in(const fs::path& log) {
-    std::ifstream lines(log);
-    std::string last;
-    for (std::string line; std::getline(lines, line); last = line) {
-        if (line.find("rror") != std::string::npos) return line;
-    }
-    return last;
-}
+  private:
+    fs::path folder_;
+};
 
 CachedModel core_model(const CoreParameters& parameters) {
     CachedModel model{"core", "motion_interpolator",   "sysc/cores/compiled_core.cpp", parameters,
@@ -166,9 +117,10 @@ std::vector<std::string> all_parameters(const CachedModel& model) {
 
 }  // namespace
 
-CoreCache::CoreCache(const std::string& rtl)
+CoreCache::CoreCache(const std::string& rtl, std::vector<std::string> dut)
     : sources_(shipped_files().folder),
       rtl_(rtl.empty() ? sources_ / "rtl" : fs::absolute(rtl)),
+      dut_(std::move(dut)),
       cores_(sources_ / "build/cores") {
     if (shipped_files().installed) {
         const char* const cache = std::getenv("XDG_CACHE_HOME");
@@ -202,6 +154,7 @@ fs::path CoreCache::folder_of(const CachedModel& model, const CoreMicrocode& mic
         digest.add(file.lexically_relative(sources_));
         digest.add(text_of(file));
     }
+    if (!dut_.empty()) digest.add(dut_text());
     for (const std::string& parameter : all_parameters(model)) digest.add(parameter);
     digest.add(CURVECORE_VERILATOR_VERSION);
     digest.add(CURVECORE_CXX " " CURVECORE_CXX_VERSION);
@@ -212,9 +165,24 @@ fs::path CoreCache::folder_of(const CachedModel& model, const CoreMicrocode& mic
     return cores_ / fmt::format("{}-{}", build_name(model.core.build), digest.text());
 }
 
+std::string CoreCache::sources_text() const {
+    return dut_.empty() ? rtl_.string() : fmt::format("{}", fmt::join(dut_, ", "));
+}
+
+std::string CoreCache::dut_text() const {
+    check_build_tools();
+    std::vector<std::string> command{"verilator", "-E"};
+    for (std::string& flag : dut_flags(dut_)) command.push_back(std::move(flag));
+    const fs::path file = cores_ / fmt::format("dut.{}.txt", getpid());
+    run_tool(command, file, cores_);  // what it refuses is said when it is made
+    std::string text = text_of(file);
+    fs::remove(file);
+    return text;
+}
+
 void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
                      const fs::path& folder, bool quiet) const {
-    check_tools();
+    check_build_tools();
     if (!quiet) {
         fmt::print(stderr, "curvecore: making the {} {} {}: once, {}; it is kept in {}\n",
                    model.kind, build_name(model.core.build), ref::parameters_text(model.core),
@@ -226,23 +194,36 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
     const fs::path log = folder.string() + ".log";
     fs::remove_all(folder);
     fs::remove_all(work);
+    std::vector<std::string> parameters = all_parameters(model);
+    DutDesign dut{model.top, {}};
+    if (!dut_.empty()) {
+        WantedCore wanted{sources_ / "rtl", model.top, parameters};
+        if (!microcode.empty()) {
+            wanted.parameters.push_back(
+                fmt::format("Program=\"{}\"", (folder / "program.hex").string()));
+            wanted.parameters.push_back(fmt::format("Data=\"{}\"", (folder / "data.hex").string()));
+        }
+        const Scratch scratch(folder.string() + ".ports");
+        dut = find_dut(dut_, wanted, scratch.folder(), log);
+    }
     std::vector<std::string> command{"env",
                                      "VERILATOR=verilator",
                                      fmt::format("CXX={}", CURVECORE_CXX),
                                      fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
                                      fmt::format("MICROCODE={}", folder.string()),
                                      fmt::format("RTL={}", rtl_.string()),
+                                     fmt::format("DUT={}", fmt::join(dut.flags, " ")),
                                      sources_ / "sysc/cmake/make_core.sh",
                                      sources_,
                                      work / "model",
-                                     model.top,
+                                     dut.top,
                                      model.source};
-    for (std::string& parameter : all_parameters(model)) command.push_back(std::move(parameter));
-    if (run(command, log) != 0) {
+    for (std::string& parameter : parameters) command.push_back(std::move(parameter));
+    if (run_tool(command, log, dut_.empty() ? "." : cores_) != 0) {
         fs::remove_all(work);
-        if (rtl_ != sources_ / "rtl") {
-            throw UsageError(fmt::format("--rtl {}: {}; all of it: {}", rtl_.string(),
-                                         reason_in(log), log.string()));
+        if (rtl_ != sources_ / "rtl" || !dut_.empty()) {
+            throw UsageError(fmt::format("--{} {}: {}; all of it: {}", dut_.empty() ? "rtl" : "dut",
+                                         sources_text(), reason_in(log), log.string()));
         }
         throw std::runtime_error(fmt::format("the {} could not be made: {}; see {}", model.kind,
                                              reason_in(log), log.string()));
@@ -251,7 +232,7 @@ void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
         fs::remove_all(work);
         throw UsageError(
             fmt::format("{}: files changed while the {} was made from them: run it again",
-                        rtl_.string(), model.kind));
+                        sources_text(), model.kind));
     }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sysc/cache/core_microcode.hpp"
 #include "sysc/core/core_parameters.hpp"
-#include "sysc/cores/core_microcode.hpp"
 #include "sysc/cores/rtl_setup.hpp"
 
 namespace curvecore::sysc {
@@ -30,12 +30,14 @@ class CoreCache {
     /// bin, otherwise in the source tree. Cores are kept in $CURVECORE_CORES, or
     /// $XDG_CACHE_HOME/curvecore if installed, otherwise in the source tree's build/cores.
     /// @param rtl folder of the RTL's sources; empty: rtl/ of those
-    explicit CoreCache(const std::string& rtl = "");
+    /// @param dut files of a design that has a core's ports; empty: the RTL is made
+    explicit CoreCache(const std::string& rtl = "", std::vector<std::string> dut = {});
 
     /// Opens the core with these parameters, and builds it if it is not in the cache; waits for
     /// another run that builds it. Reports its work on stderr, unless quiet.
-    /// @throws UsageError without Verilator, when it refuses sources that are not its own, and when
-    /// sources changed while it read them; std::runtime_error when it fails
+    /// @throws UsageError without Verilator, when it refuses sources that are not its own, when a
+    /// design has not the core's ports, and when sources changed while it read them;
+    /// std::runtime_error when it fails
     MakeBoard* open(const CoreParameters& parameters, bool quiet) const;
     /// Opens any module; returns its function curvecore_model.
     void* open(const CachedModel& model, bool quiet) const;
@@ -48,8 +50,14 @@ class CoreCache {
     void make(const CachedModel& model, const CoreMicrocode& microcode,
               const std::filesystem::path& folder, bool quiet) const;
 
+    /// Sources that are not the program's, for messages.
+    std::string sources_text() const;
+    /// Text of the design with all that it includes.
+    std::string dut_text() const;
+
     std::filesystem::path sources_;
     std::filesystem::path rtl_;
+    std::vector<std::string> dut_;
     std::filesystem::path cores_;
 };
 
