@@ -4,8 +4,10 @@
 // part is.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "hls/curves/kernel_text.hpp"
 #include "ref/curves/table_reader.hpp"
@@ -16,7 +18,7 @@
 #include "sysc/commands/terminal/json_result.hpp"
 #include "sysc/curvecore/asked_curve.hpp"
 #include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/table_check.hpp"
+#include "sysc/curvecore/curve_check.hpp"
 #include "sysc/curves/named_table.hpp"
 
 namespace curvecore::sysc {
@@ -30,6 +32,8 @@ RowValues row_values(const std::string& option, const std::string& text) {
     return {text.substr(0, equals), list_of(plain_number)(option, text.substr(equals + 1))};
 }
 
+constexpr int kLeastFraction = -16;
+
 /// Checks that the core is one of those that a table's lines are rounded for.
 void check_core(const CoreParameters& core) {
     if (core.anchor != 0 && core.parameter_guard == 0) return;
@@ -38,41 +42,56 @@ void check_core(const CoreParameters& core) {
 
 int check(CurveOptions& asked) {
     if (asked.has_formulas()) throw UsageError("--x --y --z: of run and derive");
-    const ref::CurveTable table = ref::read_curve_table(asked.part.options.file);
+    const std::string folder = asked.part.options.folder;  // empty: no curve.json
+    const std::string file = table_file("FILE", asked.part.options.file);
+    const ref::CurveTable table = ref::read_curve_table(file);
     const Options& options = asked.part.complete();
     check_core(options.core);
-    ref::TableSegment segment;
+    std::optional<ref::TableSegment> segment;
     if (!asked.rows.empty()) {
-        segment.values = rows_of(table, asked);
-        segment.k = asked.step_exponent;
-        segment.lambda = asked.step_exponent + asked.down;
-        segment.steps = asked.steps;
+        segment.emplace();
+        segment->values = rows_of(table, asked);
+        segment->k = asked.step_exponent;
+        segment->lambda = asked.step_exponent + asked.down;
+        segment->steps = asked.steps;
     }
-    const TableCheck found =
-        check_table(table, options.core, asked.rows.empty() ? nullptr : &segment);
+    const CurveCheck made = check_curve(table, options.core, segment);
+    if (!folder.empty()) {
+        OutputFolder to(folder);
+        to.write("curve.json", made.json().dump(1) + "\n");
+        to.commit();
+    }
     if (options.json) {
-        print_json(found.json());
+        print_json(made.json());
     } else {
-        fmt::print("{}", found.text());
+        fmt::print("{}", made.text());
     }
-    for (const BeyondRow& row : found.beyond) {
-        fmt::print(stderr, "{}:{}: error: {} leaves its range: {}\n", table.file, row.line, row.row,
-                   row.reason);
+    if (!made.bound) return 0;
+    const ref::TableError& bound = *made.bound;
+    for (const std::string& row : bound.beyond) {
+        const int fraction = table.rows.at(row).fraction;
+        const double needed = -2 - std::floor(std::log2(bound.largest.at(row)));
+        fmt::print(stderr, "{}:{}: error: {} leaves its range: {}\n", table.file,
+                   table.rows.at(row).line, row,
+                   needed < kLeastFraction
+                       ? "no fraction holds it"
+                       : fmt::format("it needs a fraction of {:+}, not {:+}, or a shorter step",
+                                     static_cast<int>(needed), fraction));
     }
-    if (!found.beyond.empty()) return 1;
-    if (!found.held()) {
+    if (!bound.beyond.empty()) return 1;
+    if (!std::isfinite(bound.worst())) {
         fmt::print(stderr,
                    "{}: error: a series does not shrink in such steps, so nothing bounds what it "
                    "leaves out: take a shorter step\n",
                    table.file);
         return 1;
     }
-    if (!found.of_segment || options.json) return 0;
+    if (options.json) return 0;
     fmt::print(
         "error: {:.4g} length units at most on any axis, before the final rounding, in {} step{} "
         "of "
         "2^{} units\n",
-        found.error, asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
+        bound.worst(), asked.steps, asked.steps == 1 ? "" : "s", asked.step_exponent);
     return 0;
 }
 
@@ -160,10 +179,8 @@ void add_curve(CLI::App& app, int& status) {
                "the table of formulas, and says how a program names it; kernel: prints it as a "
                "kernel of C++, over hls/curves/curve_steps.hpp")
         ->required();
-    add_text(
-        command, "FILE", asked.part.options.file, "FILE.net",
-        "the table; of run and kernel also the name of one in ref/curves, or with formulas one "
-        "that is not there")
+    add_text(command, "FILE", asked.part.options.file, "FILE.net",
+             "the table, or the name of one in ref/curves; with formulas one that is not there")
         ->required();
     for (const auto& [name, text] :
          {std::pair("--x", &asked.x), std::pair("--y", &asked.y), std::pair("--z", &asked.z)}) {

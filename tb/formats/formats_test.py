@@ -25,6 +25,8 @@ COMMANDS = {
     "core": ("choose", "--error", "1um", "--radius", "300mm", "--feed", "10m/min", "--device",
              "up5k"),
     "join": ("join", "a.ngc", "b.ngc"),
+    "curve": ("curve", "check", "clothoid", "--row", "T=1,0,0", "--row", "N=0,1,0", "--row",
+              "kappa=0.05,0.05,0.05", "--row", "sigma=0.001"),
     "explore": ("explore", "part.ngc", "--segment-queue", "1024", "--profile-queue", "256,4096"),
     "compare": ("compare", "part.ngc", "--set", "CoefBits=30", "--error", "10nm"),
     "choose": ("choose", "--error", "1um", "--radius", "300mm", "--feed", "10m/min", "--device",

@@ -132,6 +132,58 @@ class PythonTest(unittest.TestCase):
                                   sample_rate="1MHz")
         self.assertFalse(answer["possible"])
 
+    def test_curves_are_checked(self):
+        start = {"T": (1, 0, 0), "N": (0, 1, 0), "kappa": (0.05, 0.05, 0.05), "sigma": 0.001}
+        checked = curvecore.curve.check("clothoid", set={"CoefBits": 30})
+        self.assertEqual((checked.name, checked.bound_units, checked.beyond),
+                         ("clothoid", None, []))
+        x = next(row for row in checked.rows if row.name == "x[k]")
+        self.assertEqual((x.bits, x.range, x.orders, x.largest), (28, 2, 6, None))
+        self.assertGreater(checked.engine.step_clocks, 100)
+        steps = {"step_exponent": 22, "steps": 4}
+        bounds = [curvecore.curve.check("clothoid", start, set={"CoefBits": bits}, **steps)
+                  for bits in (24, 30)]
+        self.assertGreater(bounds[0].bound_units, 4 * bounds[1].bound_units)
+        self.assertGreater(bounds[1].bound_units, 0)
+        said = subprocess.run([CURVECORE, "curve", "check", "clothoid", "--row", "T=1,0,0", "--row",
+                               "N=0,1,0", "--row", "kappa=0.05,0.05,0.05", "--row", "sigma=0.001",
+                               "--set", "CoefBits=30", "--step-exponent", "22", "--steps", "4"],
+                              check=True, capture_output=True, text=True).stdout
+        self.assertIn(f"\nerror: {bounds[1].bound_units:.4g} length units at most", said)
+        self.assertIn(f"; parameter Table={checked.table}\n", said)
+        beyond = curvecore.curve.check("clothoid", {**start, "kappa": (5, 5, 5)}, **steps)
+        self.assertIsNone(beyond.bound_units)
+        self.assertTrue(beyond.beyond)
+        with self.assertRaisesRegex(curvecore.InputError, "kappa=..: clothoid needs its value"):
+            curvecore.curve.check("clothoid", row={"T": (1, 0, 0)})
+        with self.assertRaisesRegex(curvecore.InputError, "FILE 'no_such': it is FILE.net, or one"):
+            curvecore.curve.check("no_such")
+
+    def test_curves_are_drawn_and_derived(self):
+        wave = {"x": "20*t", "y": "8*sin(w*t)", "let": {"w": 2}, "t": (0, 3)}
+        options = {"set": {"Order": 4}, "unit": "10um", "sample_period": "1ms", "feed": "2m/min"}
+        drawn = curvecore.curve.run("wave", **wave, **options)
+        self.assertTrue(drawn.held)
+        self.assertEqual(len(drawn.position), drawn.report["samples"] + 1)
+        x, y, z = drawn.position_mm.T
+        numpy.testing.assert_allclose(y, 8 * numpy.sin(x / 10), atol=0.02)
+        self.assertEqual((x[0], abs(z).max()), (0, 0))
+        self.assertAlmostEqual(x[-1], 60, delta=0.02)
+
+        table = self.folder / "wave.net"
+        lines = curvecore.curve.derive(table, **wave)
+        self.assertIn("curve wave", table.read_text())
+        part = self.folder / "part.ngc"
+        part.write_text(f"G21 G90 F2000\n{lines}M2\n", encoding="ascii")
+        again = curvecore.plan(part, curve=table, build="engine", **{**options, "feed": None})
+        self.assertIn("wave", again.segments.kind)
+        numpy.testing.assert_allclose(again.draw().position_mm[-1], drawn.position_mm[-1],
+                                      atol=0.02)
+        with self.assertRaisesRegex(curvecore.InputError, "--x --y: the formulas say the rows"):
+            curvecore.curve.run("wave", row={"T": (1, 0, 0)}, **wave)
+        with self.assertRaisesRegex(curvecore.InputError, "it is there, and not of these formulas"):
+            curvecore.curve.derive(table, **{**wave, "y": "7*sin(w*t)"})
+
     def test_sources_are_there(self):
         files = curvecore.rtl_files()
         self.assertGreater(len(files), 80)
@@ -141,7 +193,7 @@ class PythonTest(unittest.TestCase):
     def test_flags_are_given_or_not(self):
         for flag, given in ((True, ["--laser"]), (numpy.bool_(True), ["--laser"]),
                             (False, []), (numpy.bool_(False), []), (None, [])):
-            self.assertEqual(curvecore._arguments({"laser": flag}), given, repr(flag))
+            self.assertEqual(curvecore._program.arguments({"laser": flag}), given, repr(flag))
 
     def test_other_threads_run_meanwhile(self):
         part = curvecore.plan(PART, set=SMALL, unit="10nm", sample_period="10us")

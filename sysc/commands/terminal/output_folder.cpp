@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 22> kOwnFiles{
+constexpr std::array<const char*, 23> kOwnFiles{
     "samples.csv",  "report.json",   "report.html", "segments.json", "waves.fst",   "waves.gtkw",
     "segments.hex", "profile.hex",   "words.json",  "compare.json",  "compare.csv", "choose.json",
     "core.json",    "junit.xml",     "cam.ngc",     "cam.json",      "cam.html",    "INCOMPLETE",
-    "path.hex",     "positions.hex", "fine.hex",    "vectors.npz"};
+    "path.hex",     "positions.hex", "fine.hex",    "vectors.npz",   "curve.json"};
 
 }  // namespace
 

@@ -7,7 +7,7 @@ import sys
 from curvecore import program
 
 
-def main():
+def main() -> None:
     os.execv(program(), [str(program()), *sys.argv[1:]])
 
 

@@ -9,12 +9,18 @@
 The plan's parameters are those of the module.
 """
 
+from __future__ import annotations
+
 import collections
 import random
+from typing import Any
 
 from cocotb.clock import Clock
 from cocotb.triggers import RisingEdge
 import cocotb
+import numpy
+
+from curvecore import Drawn, Plan
 
 PATIENCE = 1 << 14  # clocks without a sample
 
@@ -26,14 +32,14 @@ class MotionBench:
     stall  share of clocks in which a stream of words, or who takes samples, pauses
     """
 
-    def __init__(self, dut, part, stall=0, seed=1):
+    def __init__(self, dut: Any, part: Plan, stall: float = 0, seed: int = 1) -> None:
         self.dut, self.part, self.stall = dut, part, stall
         self.random = random.Random(seed)
         self.samples = 0  # that were compared
-        self._of_program = collections.deque()  # of samples on their way
+        self._of_program: collections.deque[int] = collections.deque()  # of samples on their way
         self._loaded = {"segment": False, "profile": False}
 
-    async def check(self, samples=None):
+    async def check(self, samples: int | None = None) -> None:
         """Draws the part, or its first samples. Raises AssertionError at the first word that
         differs, and where no sample comes."""
         drawn = self.part.draw()
@@ -63,7 +69,7 @@ class MotionBench:
             assert waited < PATIENCE, (f"no sample {self.samples + 1} for {waited} clocks: fault_o"
                                        f" is {int(dut.fault_o.value):#04x}")
 
-    def _compare(self, drawn):
+    def _compare(self, drawn: Drawn) -> None:
         self.samples += 1
         for port, bits, rows in (
                 (self.dut.sample_position_o, self._bits(), drawn.position),
@@ -76,16 +82,16 @@ class MotionBench:
                 assert word == expected, (f"sample {self.samples}, axis {axis}: {port._name} is"
                                           f" {word}, the kernel's {expected}")
 
-    def _bits(self):
+    def _bits(self) -> int:
         return self.part.parameters["PositionBits"]
 
-    def _pauses(self):
+    def _pauses(self) -> bool:
         return self.stall > 0 and self.random.random() < self.stall
 
-    async def _clock(self):
+    async def _clock(self) -> None:
         await RisingEdge(self.dut.clk_i)
 
-    async def _begin(self):
+    async def _begin(self) -> None:
         """Starts the clock, sets the settings and resets."""
         dut = self.dut
         for name in ("segment_valid_i", "profile_valid_i", "sample_request_valid_i", "hold_i",
@@ -98,7 +104,7 @@ class MotionBench:
             await self._clock()
         dut.rst_ni.value = 1
 
-    async def _send(self, name, words):
+    async def _send(self, name: str, words: numpy.ndarray) -> None:
         valid, ready, data = (getattr(self.dut, f"{name}_{port}")
                               for port in ("valid_i", "ready_o", "data_i"))
         for word in words.tolist():
