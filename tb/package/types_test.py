@@ -14,7 +14,8 @@ import unittest
 import curvecore
 
 FOLDER = pathlib.Path(curvecore.__file__).parent
-MODULES = ("curvecore", "curvecore.curve", "curvecore.bench", "curvecore._program")
+MODULES = ("curvecore", "curvecore.curve", "curvecore.bench", "curvecore._program",
+           "curvecore.pytest_plugin")
 
 
 def functions(module):
@@ -86,7 +87,7 @@ class TypesTest(unittest.TestCase):
         public = {name for name, one in vars(curvecore).items() if not name.startswith("_")
                   and getattr(one, "__module__", one.__name__ if inspect.ismodule(one) else "")
                   .startswith("curvecore")}
-        self.assertEqual(public - {"bench", "Option"}, set(curvecore.__all__))
+        self.assertEqual(public - {"bench", "pytest_plugin", "Option"}, set(curvecore.__all__))
         self.assertTrue((FOLDER / "py.typed").exists())
 
     def test_the_stub_names_what_the_extension_has(self):

@@ -11,5 +11,10 @@ python3 -m venv "$folder/venv"
 cd "$folder"
 venv/bin/python "$root/tb/package/python_test.py" "$program" "$root/tb/data"
 venv/bin/curvecore --version
+# pytest finds the plugin.
+venv/bin/python -c "
+from importlib.metadata import entry_points
+plugin, = [one for one in entry_points(group='pytest11') if one.name == 'curvecore']
+assert plugin.value == 'curvecore.pytest_plugin', plugin"
 venv/bin/curvecore run "$root/tb/data/lines.ngc" -q -o run
 tar -tzf "$root"/build/wheel/curvecore-*.tar.gz | grep "/hls/words.hpp$" >/dev/null

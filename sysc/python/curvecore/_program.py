@@ -98,7 +98,7 @@ def answers(command: Sequence[Any], readers: Mapping[str, Callable[[pathlib.Path
         to = pathlib.Path(folder) / "answer"
         done = _run([*command, "-q", "-o", to])
         if not all((to / name).exists() for name in readers):
-            raise _refusal(done)
+            raise refusal(done)
         return [read(to / name) for name, read in readers.items()]
 
 
@@ -106,7 +106,7 @@ def printed(command: Sequence[Any]) -> str:
     """Runs a command, and returns what it prints. Raises InputError where it fails."""
     done = _run(command)
     if done.returncode != 0:
-        raise _refusal(done)
+        raise refusal(done)
     return done.stdout
 
 
@@ -118,5 +118,6 @@ def _run(command: Sequence[Any]) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program(), *command], capture_output=True, text=True, check=False)
 
 
-def _refusal(done: subprocess.CompletedProcess[str]) -> InputError:
+def refusal(done: subprocess.CompletedProcess[str]) -> InputError:
+    """The error of a command that failed, by what it says on stderr."""
     return InputError(done.stderr.strip().removeprefix("curvecore: error: "))
