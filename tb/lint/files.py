@@ -11,7 +11,7 @@ import re
 import sys
 
 TREES = ("ref", "hls", "rtl", "sysc", "tb", "scripts")
-KINDS = (".cpp", ".hpp", ".sv", ".sh", ".py", ".cmake", ".comp")
+KINDS = (".cpp", ".hpp", ".sv", ".sh", ".py", ".pyi", ".cmake", ".comp")
 JOINED = re.compile(r" *//+ +(\| \| |\|.*[a-z] \| \| [a-z])")
 
 

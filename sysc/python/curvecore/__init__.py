@@ -6,8 +6,8 @@
     drawn = part.draw()
     drawn.position_mm               # what the RTL puts out, sample by sample
 
-Options are those of the program: `curvecore plan --help` says what each takes.  --error-limit 10nm
-is error_limit="10nm", a flag is True, what may be given several times is a list, and --set
+Options are those of the program: `curvecore plan --help` says what each takes.  --sample-period 1ms
+is sample_period="1ms", a flag is True, what may be given several times is a list, and --set
 Name=Value is set={"Name": value}.
 """
 
