@@ -56,9 +56,9 @@ TopModule core_module(const WantedCore& core, const fs::path& work, const fs::pa
 }
 
 std::string names_of(const std::vector<TopModule>& modules) {
-    std::vector<std::string> names;
-    for (const TopModule& module : modules) names.push_back(module.name);
-    return fmt::format("{}", fmt::join(names, ", "));
+    std::string names;
+    for (const TopModule& module : modules) names += (names.empty() ? "" : ", ") + module.name;
+    return names;
 }
 
 }  // namespace

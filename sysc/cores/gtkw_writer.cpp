@@ -24,7 +24,6 @@ enum Show : unsigned {
     kCurve = 0x8420
 };
 
-const std::string kTop = "dut.motion_interpolator.";
 const std::string kCircuits = "g_circuits.u_motion.";  // inside: rtl/path/path_interpolator.sv
 
 struct Signal {
@@ -33,10 +32,20 @@ struct Signal {
 };
 using Signals = std::vector<Signal>;
 
+/// Returns the scope of the module with a core's ports, "dut.motion_interpolator." of ours.
+std::string top_of(const WaveformSignals& signals) {
+    const std::string root = "dut.";
+    for (const auto& [name, range] : signals) {
+        const std::size_t end = std::min(name.find('.', root.size()), name.size());
+        if (name.substr(end) == ".sample_position_o") return name.substr(0, end + 1);
+    }
+    return root;
+}
+
 class Arrangement {
   public:
     Arrangement(std::string head, WaveformSignals signals)
-        : signals_(std::move(signals)), text_(std::move(head)) {}
+        : signals_(std::move(signals)), top_(top_of(signals_)), text_(std::move(head)) {}
 
     /// Shows signals of the instance `at`, which is "" or ends with a dot.
     void show(const std::string& at, const Signals& signals) {
@@ -46,7 +55,7 @@ class Arrangement {
     /// Shows a group; a group without signals in this core is left out.
     void group(const char* name, const std::string& at, const Signals& signals) {
         const auto there = [&](const Signal& signal) {
-            return signals_.count(kTop + at + signal.name) != 0;
+            return signals_.count(top_ + at + signal.name) != 0;
         };
         if (std::none_of(signals.begin(), signals.end(), there)) return;
         text_ += fmt::format("@800200\n-{}\n", name);
@@ -59,7 +68,7 @@ class Arrangement {
   private:
     /// Shows a signal; a signal that this core does not have is left out.
     void show(Show how, const std::string& name) {
-        const std::string full = kTop + name;
+        const std::string full = top_ + name;
         const auto found = signals_.find(full);
         if (found == signals_.end()) return;
         text_ += fmt::format("@{:x}\n{}{}\n", static_cast<unsigned>(how), full, found->second);
@@ -67,6 +76,7 @@ class Arrangement {
     }
 
     WaveformSignals signals_;
+    std::string top_;
     std::string text_;
 };
 

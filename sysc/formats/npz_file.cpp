@@ -19,14 +19,14 @@ constexpr std::size_t kAtOnce = 8192;   // numbers that are written
 constexpr std::uint16_t kVersion = 20;  // of the format that is needed to read it
 constexpr std::uint16_t kDate = 0x21;   // 1980-01-01: the same file again for the same arrays
 
-/// Numbers as bytes, the lowest first.
-class Bytes {
+/// A record of bytes: numbers have the lowest first.
+class Record {
   public:
-    Bytes& add(std::uint64_t value, int bytes) {
+    Record& add(std::uint64_t value, int bytes) {
         for (int i = 0; i < bytes; ++i) text_ += static_cast<char>(value >> 8 * i & 0xFF);
         return *this;
     }
-    Bytes& add(const std::string& text) {
+    Record& add(const std::string& text) {
         text_ += text;
         return *this;
     }
@@ -46,13 +46,13 @@ std::string npy_head(const char* type, const std::vector<std::size_t>& shape) {
     constexpr std::size_t kBefore = 10;
     text.resize((kBefore + text.size() + kAligned) / kAligned * kAligned - kBefore - 1, ' ');
     text += '\n';
-    Bytes head;
+    Record head;
     head.add("\x93NUMPY").add(1, 1).add(0, 1).add(text.size(), 2).add(text);
     return head.text();
 }
 
 /// Adds the fields that both records of a file of the archive have.
-Bytes& add_common(Bytes& record, std::uint32_t crc, std::uint32_t bytes, std::size_t name) {
+Record& add_entry(Record& record, std::uint32_t crc, std::uint32_t bytes, std::size_t name) {
     return record.add(kVersion, 2)
         .add(0, 2)
         .add(0, 2)
@@ -68,9 +68,9 @@ Bytes& add_common(Bytes& record, std::uint32_t crc, std::uint32_t bytes, std::si
 }  // namespace
 
 void NpzFile::write_local(const Entry& entry) {
-    Bytes record;
+    Record record;
     record.add("PK\x03\x04");
-    add_common(record, entry.crc, entry.bytes, entry.name.size()).add(entry.name);
+    add_entry(record, entry.crc, entry.bytes, entry.name.size()).add(entry.name);
     stream_ << record.text();
 }
 
@@ -86,7 +86,7 @@ void NpzFile::add(const std::string& name, const char* type, const std::vector<s
     boost::crc_32_type crc;
     crc.process_bytes(head.data(), head.size());
     stream_ << head;
-    Bytes part;
+    Record part;
     for (std::size_t at = 0; at < count;) {
         part.clear();
         for (const std::size_t end = std::min(count, at + kAtOnce); at < end; ++at) {
@@ -103,14 +103,14 @@ void NpzFile::add(const std::string& name, const char* type, const std::vector<s
 }
 
 void NpzFile::close() {
-    Bytes list;
+    Record list;
     for (const Entry& entry : entries_) {
         list.add("PK\x01\x02").add(kVersion, 2);
-        add_common(list, entry.crc, entry.bytes, entry.name.size());
+        add_entry(list, entry.crc, entry.bytes, entry.name.size());
         list.add(0, 2).add(0, 2).add(0, 2).add(0, 4).add(entry.place, 4).add(entry.name);
     }
     const std::streamoff place = stream_.tellp();
-    Bytes end;
+    Record end;
     end.add("PK\x05\x06").add(0, 2).add(0, 2).add(entries_.size(), 2).add(entries_.size(), 2);
     end.add(list.text().size(), 4).add(static_cast<std::uint64_t>(place), 4).add(0, 2);
     stream_ << list.text() << end.text();

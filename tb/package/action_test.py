@@ -39,8 +39,11 @@ class ActionTest(unittest.TestCase):
         here.mkdir()
         (here / "Order=4").touch()
         for given, expected in (
-                ({"PART": "a b.ngc", "RTL": "", "OPTIONS": ""}, "<--junit>"),
-                ({"PART": "p.ngc", "RTL": "my rtl", "OPTIONS": "--machine my/mill.ini --set O*=4"},
+                ({"PART": "a b.ngc", "RTL": "", "DUT": "", "OPTIONS": ""}, "<--junit>"),
+                ({"PART": "p.ngc", "RTL": "", "DUT": "a.v O*=4.v", "OPTIONS": ""},
+                 "<--dut><a.v><--dut><O*=4.v><--junit>"),
+                ({"PART": "p.ngc", "RTL": "my rtl", "DUT": "",
+                  "OPTIONS": "--machine my/mill.ini --set O*=4"},
                  "<--rtl><my rtl><--junit><--machine><my/mill.ini><--set><O*=4>")):
             done = subprocess.run(
                 ["bash", "-e", "-c", step["run"]], cwd=here, check=True, text=True,

@@ -34,9 +34,9 @@ class DutTest(unittest.TestCase):
         return subprocess.run([CURVECORE, command, "part.ngc", *OPTIONS, *arguments], check=False,
                               cwd=self.folder, env=environment, capture_output=True, text=True)
 
-    def run_dut(self, *files, status=0):
+    def run_dut(self, *files, status=0, more=()):
         """Runs the part with these files; returns what the program says on stderr."""
-        options = [text for file in files for text in ("--dut", file)]
+        options = [*more, *(text for file in files for text in ("--dut", file))]
         done = self.program("run", *options, "-q", "-o", "out")
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertNotIn("internal", done.stderr)
@@ -62,7 +62,9 @@ class DutTest(unittest.TestCase):
         report = json.loads((self.folder / "out/report.json").read_text())
         self.assertEqual(report["rtl_equals_kernel"], 0)
         self.assertGreater(report["samples"], 1000)
-        self.assertEqual(self.run_dut(core), "", "again, the kept model")
+        self.assertEqual(self.run_dut(core, more=["--trace", "--stall", "7"]), "", "the kept model")
+        self.assertIn("\ndut.recorded_core.sample_position_o[",
+                      (self.folder / "out/waves.gtkw").read_text())
         self.assertEqual(len([*self.folder.glob("cores/*/core.so")]), 1)
 
         # What it includes belongs to it; a sign of y is flipped from sample 1001 on.

@@ -109,7 +109,7 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     if (!pins.empty())
         folder.write("system.gtkw",
                      pin_gtkw(options.folder, axis_names(job_), report.duration_s()));
-    if (!waveform.empty() && options.dut.empty()) {  // a design of others has signals of its own
+    if (!waveform.empty()) {
         folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder,
                                         {options.clock_hz, drawn.first_clock}));
     }
