@@ -74,8 +74,8 @@ TEST_F(Grammar, CaseOfNamesDoesNotMatter) {
 TEST_F(Grammar, HelpHasExamplesAndHidesWhatIsRare) {
     const std::string commands = program_.run({"help"}).out;
     EXPECT_EQ(commands, program_.run({"--help"}).out);
-    for (const char* command : {"run", "plan", "words", "cam", "join", "compare", "choose",
-                                "stream", "home", "board", "explore", "curve"}) {
+    for (const char* command : {"run", "plan", "words", "vectors", "cam", "join", "compare",
+                                "choose", "stream", "home", "board", "explore", "curve"}) {
         const std::string help = program_.run({command, "--help"}).out;
         const std::string all = program_.run({command, "--help-all"}).out;
         EXPECT_EQ(help, program_.run({"help", command}).out);
