@@ -34,7 +34,7 @@ using Signals = std::vector<Signal>;
 
 /// Returns the scope of the module with a core's ports, "dut.motion_interpolator." of ours.
 std::string top_of(const WaveformSignals& signals) {
-    const std::string root = "dut.";
+    std::string root = "dut.";
     for (const auto& [name, range] : signals) {
         const std::size_t end = std::min(name.find('.', root.size()), name.size());
         if (name.substr(end) == ".sample_position_o") return name.substr(0, end + 1);
