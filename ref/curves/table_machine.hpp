@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "ref/curves/curve_table.hpp"
-#include "ref/curves/order_demand.hpp"
+#include "ref/curves/placed_table.hpp"
 
 namespace curvecore::ref {
 
@@ -49,17 +48,23 @@ class TableMachine {
           by_lines_(table.samples_by_lines(polynomial)),
           carries_(table.carries(anchored)),
           arithmetic_(arithmetic),
-          demand_(order_demand(table, order, polynomial, anchored)) {
+          lines_(table, order, polynomial, anchored),
+          tau_(lines_.row("tau")),
+          rows_(lines_.rows()) {
         for (const auto& [name, row] : table.rows) {
-            Row& made = rows_[name];
+            Row& made = rows_[number(name)];
             for (auto& axis : made.at) axis.assign(static_cast<std::size_t>(order) + 1, Number(0));
             if (row.value) made.at[0][0] = Number(*row.value);
+        }
+        if (!table.network()) {
+            output_ = lines_.operand({table.output, true, 0, {}});
+            drawn_ = number("d");
         }
     }
 
     /// Sets a row that comes from the bus.
     void set(const std::string& row, const Number& value, int axis = 0) {
-        make(rows_.at(row), axis, 0, value);
+        make(rows_[number(row)], axis, 0, value);
     }
 
     /// Begins the segment whose words are set, with its first step.
@@ -74,7 +79,7 @@ class TableMachine {
         down_ = lambda - k;
         lambda_ = lambda;
         for (const auto& [name, row] : table_.rows) {
-            if (row.value) rows_.at(name).at[0][0] = Number(*row.value);
+            if (row.value) rows_[number(name)].at[0][0] = Number(*row.value);
         }
     }
 
@@ -94,11 +99,10 @@ class TableMachine {
     }
     /// Makes the orders of a step.
     void orders() {
+        const std::vector<PlacedLine>& lines = lines_.section("order");
         for (int i = 1; i <= order_; ++i) {
-            for (const TableLine& line : table_.section("order")) {
-                const auto needed = demand_.find(line.row);
-                if (needed == demand_.end() || i > needed->second) continue;
-                if (i > 1 || !begun(line.row)) run(line, i);
+            for (const PlacedLine& line : lines) {
+                if (i >= line.first && i <= line.last) run(line, i);
             }
         }
     }
@@ -115,30 +119,24 @@ class TableMachine {
 
     /// The position at tau of the step, 0 <= tau < 1.
     Axes sample(const Number& tau) {
-        rows_.at("tau").at[0][0] = tau;
-        if (!by_lines_) {
-            Axes at;
-            const int fraction = table_.rows.at(table_.output).fraction;
-            for (int axis = 0; axis < 3; ++axis) {
-                RowOperand output{table_.output, true, 0, {}};
-                at[axis] = moved(origin_[axis], horner(output, axis, tau, fraction, 1, 1), k_);
-            }
-            return at;
-        }
-        lines("sample");
+        rows_[static_cast<std::size_t>(tau_)].at[0][0] = tau;
+        if (by_lines_) lines("sample");
         Axes at;
         for (int axis = 0; axis < 3; ++axis) {
-            at[axis] = moved(origin_[axis], rows_.at("d").at[axis][0], k_);
+            at[axis] = moved(origin_[axis],
+                             by_lines_ ? rows_[drawn_].at[axis][0]
+                                       : horner(output_, axis, tau, output_.fraction, 1, 1),
+                             k_);
         }
         return at;
     }
 
     /// A row's order of the step.
     const Number& value(const std::string& row, int order = 0, int axis = 0) const {
-        return rows_.at(row).at[axis][static_cast<std::size_t>(order)];
+        return rows_[number(row)].at[axis][static_cast<std::size_t>(order)];
     }
     /// The largest magnitude that a row has had, in any order.
-    const Number& largest(const std::string& row) const { return rows_.at(row).largest; }
+    const Number& largest(const std::string& row) const { return rows_[number(row)].largest; }
 
   private:
     struct Row {
@@ -154,36 +152,31 @@ class TableMachine {
         return from + arithmetic_.position(scaled(by, power));
     }
 
-    /// Returns whether the anchor gives order 1 of a row.
-    bool begun(const std::string& row) const {
-        const auto& anchor = table_.section("anchor");
-        return std::any_of(anchor.begin(), anchor.end(), [&](const TableLine& line) {
-            return line.row == row && line.order.value_or(0) == 1;
-        });
+    std::size_t number(const std::string& row) const {
+        return static_cast<std::size_t>(lines_.row(row));
     }
 
-    void lines(const std::string& section) {
-        for (const TableLine& line : table_.section(section)) {
-            if (section == "carry" && line.row == (by_lines_ ? "move" : "place")) continue;
+    void lines(const char* section) {
+        for (const PlacedLine& line : lines_.section(section)) {
             run(line, 0);
-            const auto& made = rows_.at(line.row).at;
+            if (!line.moves && !line.places) continue;
+            const auto& made = rows_[static_cast<std::size_t>(line.row)].at;
             for (int axis = 0; axis < 3; ++axis) {
-                if (line.row == "move") origin_[axis] = moved(origin_[axis], made[axis][0], k_);
-                if (line.row == "place")
-                    origin_[axis] = moved(start_[axis], made[axis][0], lambda_);
+                origin_[axis] = line.moves ? moved(origin_[axis], made[axis][0], k_)
+                                           : moved(start_[axis], made[axis][0], lambda_);
             }
         }
     }
 
-    void run(const TableLine& line, int i) {
-        if (line.order.value_or(i) > order_) return;
-        Row& row = rows_.at(line.row);
+    void run(const PlacedLine& placed, int i) {
+        const TableLine& line = *placed.line;
         const auto order = static_cast<std::size_t>(line.order.value_or(i));
         Axes made{};
         const bool axes = line.of_axis || line.adds_axes;
-        guarded_ = table_.guarded.count(line.row) != 0;
-        for (int axis = 0; axis < (axes ? 3 : 1); ++axis) made[axis] = result(line, i, axis);
+        guarded_ = placed.guarded;
+        for (int axis = 0; axis < (axes ? 3 : 1); ++axis) made[axis] = result(placed, i, axis);
         if (line.adds_axes) made[0] += made[1] + made[2];
+        Row& row = rows_[static_cast<std::size_t>(placed.row)];
         for (int axis = 0; axis < (line.of_axis ? 3 : 1); ++axis) {
             make(row, axis, order, made[axis]);
         }
@@ -195,29 +188,30 @@ class TableMachine {
         row.largest = std::max(row.largest, Number(abs(value)));
     }
 
-    Number result(const TableLine& line, int i, int axis) {
+    Number result(const PlacedLine& placed, int i, int axis) {
         using Function = TableLine::Function;
+        const TableLine& line = *placed.line;
         Number sum(0);
-        for (const TableTerm& term : line.terms) {
+        for (const PlacedTerm& part : placed.terms) {
+            const TableTerm& term = *part.term;
             for (int of = term.all_axes ? 0 : axis; of <= (term.all_axes ? 2 : axis); ++of) {
-                sum += scaled(term.number * meet(term, i, of), -term.halvings);
+                sum += scaled(term.number * meet(part, i, of), -term.halvings);
             }
         }
         if (line.function == Function::kSum) {
-            for (int order = 1; order <= order_; ++order) sum += entry(line.series, order, axis);
+            for (int order = 1; order <= order_; ++order) sum += entry(placed.series, order, axis);
         } else if (line.function != Function::kTerms) {
-            const bool horner_of_tau = line.function == Function::kHorner;
-            const Number& x = value(horner_of_tau ? "tau" : line.variable);
-            return horner(line.series, axis, x, line.fraction, horner_of_tau ? 1 : 2,
-                          line.function == Function::kEven ? 2 : 1,
-                          line.function != Function::kOdd);
+            const Number& x = rows_[static_cast<std::size_t>(placed.variable)].at[0][0];
+            return horner(
+                placed.series, axis, x, line.fraction, line.function == Function::kHorner ? 1 : 2,
+                line.function == Function::kEven ? 2 : 1, line.function != Function::kOdd);
         }
         const int fraction = line.fraction + (guarded_ ? arithmetic_.guard() : 0);
         return arithmetic_.rounded(scaled(sum, -line.down * down_), fraction);
     }
 
     /// The sum of orders last, last + by .. times powers of x, and once more by x.
-    Number horner(const RowOperand& series, int axis, const Number& x, int fraction, int by,
+    Number horner(const PlacedOperand& series, int axis, const Number& x, int fraction, int by,
                   int last, bool times = true) const {
         int i = order_ - (order_ - last) % by;
         Number sum = entry(series, i, axis);
@@ -227,37 +221,31 @@ class TableMachine {
         return times ? arithmetic_.rounded(sum * x, fraction) : sum;
     }
 
-    Number meet(const TableTerm& term, int i, int axis) const {
+    Number meet(const PlacedTerm& part, int i, int axis) const {
         using Meeting = TableTerm::Meeting;
-        if (term.meeting == Meeting::kConstant) return Number(1);
-        if (term.meeting == Meeting::kAlone) return entry(term.a, i, axis);
-        if (term.meeting == Meeting::kOverOrder) {
-            return i > 1 ? entry(term.a, i, axis) * arithmetic_.weight(i) : entry(term.a, i, axis);
+        const Meeting meeting = part.term->meeting;
+        if (meeting == Meeting::kConstant) return Number(1);
+        if (meeting == Meeting::kAlone) return entry(part.a, i, axis);
+        if (meeting == Meeting::kOverOrder) {
+            return i > 1 ? entry(part.a, i, axis) * arithmetic_.weight(i) : entry(part.a, i, axis);
         }
-        if (i == 0 || !meet_as_series(table_, term)) {
-            return entry(term.a, i, axis) * entry(term.b, i, axis);
-        }
-        const bool rate_a = table_.rows.at(term.a.row).rate(term.a.row);
-        const bool rate_b = table_.rows.at(term.b.row).rate(term.b.row);
-        const RowOperand& ordered = rate_a && !rate_b ? term.b : term.a;
-        const RowOperand& other = rate_a && !rate_b ? term.a : term.b;
+        if (i == 0 || !part.meets) return entry(part.a, i, axis) * entry(part.b, i, axis);
         Number sum(0);
-        for (int j = 0; j <= (rate_a || rate_b ? i - 1 : i); ++j) {
-            sum += entry(ordered, j, axis) * entry(other, i - j, axis);
+        for (int j = 0; j <= (part.integral ? i - 1 : i); ++j) {
+            sum += entry(part.a, j, axis) * entry(part.b, i - j, axis);
         }
         return sum;
     }
 
     /// An order of a row, as the rows before have it; 0 of what no line makes. Of a guarded row
     /// only guarded ones read the bits that it has more.
-    Number entry(const RowOperand& operand, int i, int axis) const {
-        const RowOperand of = same_row(table_, operand);
-        const CurveRow& row = table_.rows.at(of.row);
-        const int order = row.series ? of.order.value_or(i) - of.primes : 0;
+    Number entry(const PlacedOperand& of, int i, int axis) const {
+        const int order = of.series ? of.order.value_or(i) - of.primes : 0;
         if (order < 0 || order > order_) return Number(0);
-        const Number& all = value(of.row, order, row.of_axis ? axis : 0);
-        const bool cut = arithmetic_.guard() != 0 && !guarded_ && table_.guarded.count(of.row) != 0;
-        return cut ? arithmetic_.rounded(all, row.fraction) : all;
+        const Number& all = rows_[static_cast<std::size_t>(of.row)]
+                                .at[of.of_axis ? axis : 0][static_cast<std::size_t>(order)];
+        const bool cut = of.guarded && !guarded_ && arithmetic_.guard() != 0;
+        return cut ? arithmetic_.rounded(all, of.fraction) : all;
     }
 
     const CurveTable& table_;
@@ -265,8 +253,11 @@ class TableMachine {
     bool by_lines_;  // samples
     bool carries_;   // Anchor 0
     Arithmetic arithmetic_;
-    std::map<std::string, int> demand_;
-    std::map<std::string, Row> rows_;
+    PlacedTable lines_;
+    int tau_;
+    std::vector<Row> rows_;
+    PlacedOperand output_;
+    std::size_t drawn_ = 0;  // d, the place in the step
     Axes start_{};
     Axes origin_{};
     int k_ = 0;
