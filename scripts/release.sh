@@ -86,10 +86,13 @@ flat() { scripts/flat.sh "$1" -o "$to/.making/$1.v" --vhdl >/dev/null; }
 
 bitstream() {
   scripts/synth.sh --board "$1" || return
-  local file
+  local file there=
   for file in build/synth/boards/"$1"/board.{json,bit,bin,fs}; do
-    [ ! -e "$file" ] || cp "$file" "$to/.making/$1.${file##*.}"
+    [ -e "$file" ] || continue
+    cp "$file" "$to/.making/$1.${file##*.}" || return
+    [ "${file##*.}" = json ] || there=1
   done
+  [ "$there" ]  # a bitstream, in one of its formats
 }
 
 wheel() { scripts/wheel.sh && cp build/wheel/*.whl build/wheel/*.tar.gz "$to/.making"; }

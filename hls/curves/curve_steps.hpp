@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kernel that is made of a table (ref/curves/curve_table.hpp) stands on this: where a
-// segment and a step begin, its auxiliary axes, and how a line is rounded. The other files of this
-// folder are made: `curvecore curve kernel`, target curve_kernels.
+// A kernel that is made of a table (ref/curves/curve_table.hpp) stands on this: where a segment and
+// a step begin, its auxiliary axes, and how a line is rounded. The kernels of this folder are made,
+// by target curve_kernels; kernel_text.hpp writes them.
 #pragma once
 
 #include "hls/sampling.hpp"

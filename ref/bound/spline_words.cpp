@@ -71,7 +71,7 @@ SplineWords::SplineWords(const CoreParameters& format, const Segment& segment)
       six_a_(constants()),
       network_(kSplineWiring, order_, six_a_) {}
 
-/// Line 1: a' and 6a'.
+/// a' and 6a' of the load.
 std::array<Enclosed, 3> SplineWords::constants() {
     const double square = std::ldexp(1.0, -2 * shift_);
     std::array<Enclosed, 3> six_a;
@@ -122,7 +122,7 @@ void SplineWords::anchor(double place, double drift, double prediction) {
     open(V, W, polished(V, prediction));
 }
 
-/// Line 6: e = a v + b, f = e v + c, d = f v.
+/// The place of the step: e = a v + b, f = e v + c, d = f v.
 void SplineWords::place_origin(std::size_t k, const Enclosed& v) {
     const auto piece = Shorten::kPiece;
     const Enclosed e = within(b_[k] + rounded(a_[k] * v, kA), kA, piece);
@@ -130,7 +130,7 @@ void SplineWords::place_origin(std::size_t k, const Enclosed& v) {
     word(f * v, kA, piece);
 }
 
-/// Line 8, Newton's step from a phi that is (1 + prediction) / |V|. m and z know |V| by that phi.
+/// Newton's step from a phi that is (1 + prediction) / |V|. m and z know |V| by that phi.
 /// What the prediction missed is squared.
 Enclosed SplineWords::polished(const std::array<Enclosed, 3>& V, double prediction) {
     Enclosed norm;

@@ -28,7 +28,7 @@ enum class Shorten { kNothing, kSteps, kPiece };
 /// that is no power of two half a last bit of its own. Each word is held against its range: those
 /// of the anchor, of every order, the sums handed on to the next step, and a sample's.
 ///
-/// For Anchor = 1. Source: lines 1 .. 11 and the sample of hls/curves/spline.hpp.
+/// For Anchor = 1. Source: load, anchor, orders, step and sample of hls/curves/spline.hpp.
 class SplineWords : public Exact {
   public:
     using State = SplineState<Enclosed>;

@@ -51,6 +51,40 @@ inline void check_places(const CurveTable& table) {
     }
 }
 
+/// Checks that `carry` places a step as `anchor` does, or moves it: by the samples' mode.
+/// @throws InputError
+inline void check_carry(const CurveTable& table, const Place& end) {
+    if (table.section("carry").empty() || table.rows.count("place") == 0) return;
+    for (const char* row : {"move", "place"}) {
+        const auto& lines = table.section("carry");
+        const bool made = std::any_of(lines.begin(), lines.end(),
+                                      [&](const TableLine& line) { return line.row == row; });
+        if (!made) {
+            end.refuse(
+                fmt::format("`anchor` places the steps: `carry` makes move[k] and place[k], "
+                            "it has no {}[k]",
+                            row));
+        }
+    }
+    if (table.section("sample").empty()) end.refuse("`carry` places no step without `sample`");
+}
+
+/// Checks that a network alone has what a kernel of it has: words of no axis, and no place.
+/// @throws InputError
+inline void check_network(const CurveTable& table) {
+    for (const auto& [name, row] : table.rows) {
+        if (!row.of_axis) continue;
+        Place{table.file, std::max(row.line, 1)}.refuse(
+            name + " is a row of each axis: a network alone has none");
+    }
+    for (const auto& [section, lines] : table.sections) {
+        for (const TableLine& line : lines) {
+            if (section != "sample" && line.down == 0) continue;
+            Place{table.file, line.number}.refuse("a network alone has no samples, and no scale s");
+        }
+    }
+}
+
 /// Checks that the guarded rows are what `next` makes of each other, or of a row `>> s`.
 /// @throws InputError
 inline void check_guards(const CurveTable& table, const Place& end) {
@@ -61,13 +95,20 @@ inline void check_guards(const CurveTable& table, const Place& end) {
                table.rows.at(term.a.row).fraction == line.fraction;
     };
     for (const std::string& row : table.guarded) {
-        if (table.rows.count(row) == 0) end.refuse("guard: no line makes " + row);
+        const auto& next = table.section("next");
+        const bool made = std::any_of(next.begin(), next.end(),
+                                      [&](const TableLine& line) { return line.row == row; });
+        if (!made) end.refuse("guard: no line of `next` makes " + row);
     }
     const auto wide = [&](const RowOperand& of) {  // it has no word without its guard bits
         return guarded(of.row) && !table.rows.at(of.row).start;
     };
     for (const auto& [section, lines] : table.sections) {
         for (const TableLine& line : lines) {
+            if (guarded(line.variable)) {
+                Place{table.file, line.number}.refuse(line.variable +
+                                                      " is guarded: no polynomial is of it");
+            }
             if (!guarded(line.row)) {
                 for (const TableTerm& term : line.terms) {
                     if (!wide(term.a) && !wide(term.b)) continue;

@@ -58,8 +58,9 @@ class Reader {
         for (const auto& [name, line] : declarations_.in_order()) {
             if (!row(name).series) Place{table_.file, line}.refuse(name + " has no orders");
         }
-        if (!table_.network()) place_in_step(place);
+        table_.network() ? check_network(table_) : place_in_step(place);
         check_places(table_);
+        check_carry(table_, place);
         check_guards(table_, place);
         check_orders(table_);
         int words = 0;  // further ones that have a row

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a cubic at the start of an integration step, on one 18 x 18 multiplier: lines 1 to 9
-// and 11 of hls/curves/spline.hpp, its twin.
+// The words of a cubic at the start of an integration step, on one 18 x 18 multiplier: load, anchor
+// and the step's v and phi of hls/curves/spline.hpp, its twin.
 //
 //     v <- v + q(1) / 2^s                    slope  b + 3a v           W = 2 slope / 2^s
 //     mean = b + 3a v / 2                    V = c + 2 mean v          N = V.V

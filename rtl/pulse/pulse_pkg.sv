@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the step generator. Twin: hls/step_words.hpp.
+// Words of the step generator. Twins: hls/step_axis.hpp, hls/step_generator.hpp.
 `default_nettype none
 package pulse_pkg;
 

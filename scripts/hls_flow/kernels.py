@@ -62,6 +62,8 @@ def named(core):
     made = subprocess.run([PROGRAM, "curve", "kernel", core], capture_output=True, text=True)
     if made.returncode:
         raise Refused(made.stderr.strip().removeprefix("curvecore: error: "))
+    if "SegmentWords" not in made.stdout:
+        raise Refused(f"{core}: a network alone, which draws nothing")
     file = ROOT / "build/hls/curves" / f"{pathlib.Path(core).stem}.hpp"
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(made.stdout)

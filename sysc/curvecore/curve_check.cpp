@@ -44,6 +44,8 @@ void take_engine(const ref::CurveTable& table, const CoreParameters& core, Curve
                                           clocks("step"), clocks("sample")};
     } catch (const assembler::AssemblyError& error) {
         check.refusal = error.what();
+        const std::string nowhere = ": error: ";  // of the programs together, not of a line
+        if (check.refusal.rfind(nowhere, 0) == 0) check.refusal.erase(0, nowhere.size());
     }
 }
 
@@ -66,7 +68,7 @@ std::string CurveCheck::text() const {
         fmt::format("{}: {}\n{:<16} {:>8} {:>10} {:>7}{}\n", name, title, "row", "bits", "range",
                     "orders", bound ? "    largest  spare bits" : "");
     for (const Row& row : rows) {
-        text += fmt::format("{:<16} {:>8} {:>10} {:>7}", row.name, row.bits,
+        text += fmt::format("{:<16} {:>8} {:>10} {:>7}", row.name, row.fraction_bits,
                             fmt::format("+-{:g}", row.range), row.orders);
         if (row.largest) {
             text += *row.largest > 0 ? fmt::format(" {:>10.4g} {:>11.1f}", *row.largest,
@@ -86,8 +88,10 @@ nlohmann::ordered_json CurveCheck::json() const {
     nlohmann::ordered_json json{{"name", name}, {"title", title}, {"table", number}};
     json["rows"] = nlohmann::ordered_json::array();
     for (const Row& row : rows) {
-        nlohmann::ordered_json one{
-            {"name", row.name}, {"bits", row.bits}, {"range", row.range}, {"orders", row.orders}};
+        nlohmann::ordered_json one{{"name", row.name},
+                                   {"fraction_bits", row.fraction_bits},
+                                   {"range", row.range},
+                                   {"orders", row.orders}};
         if (row.largest) one["largest"] = *row.largest;
         json["rows"].push_back(one);
     }

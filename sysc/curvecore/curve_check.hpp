@@ -17,7 +17,7 @@ struct CurveCheck {
     /// A row of the table; `largest` of a segment alone, 0: the segment does not make it.
     struct Row {
         std::string name;
-        int bits = 0;
+        int fraction_bits = 0;
         double range = 0;
         int orders = 0;
         std::optional<double> largest;

@@ -7,7 +7,7 @@
 namespace curvecore::sysc {
 
 /// Quantises every segment of a part of the job's plan and draws its integration steps. The planner
-/// has proven that they keep their words; this checks the actual ones.
+/// has proven that they keep their words; this checks the actual ones, but for those of tables.
 /// @throws ref::InputError with the move's line
 void check_words(const Job& job, const ref::Plan& part);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A format of the kernels (hls/configuration.hpp) whose widths are known at run time only: native
-// integers, cut to their words' widths where a network's table has them, ranges noted.
+// integers, cut to their words' widths; their ranges are noted for who asks.
 #pragma once
 
 #include <array>
@@ -24,7 +24,6 @@ struct RunTimeFormat {
           kFineBits(core.position_bits + core.guard_bits),
           kCoefFrac(core.coef_bits - 2),
           kUnitFrac(core.coef_bits - 1),
-          kTop(core.anchor != 0 ? core.order - 1 : core.order),
           kAnchor(core.anchor != 0),
           kSeries(!core.polynomial()),
           kFurtherWords(core.further_words),
@@ -54,7 +53,7 @@ struct RunTimeFormat {
     }
 
     int kOrder, kCoefBits, kGuardBits, kParameterGuard, kAxes, kFineBits;
-    int kCoefFrac, kUnitFrac, kTop;
+    int kCoefFrac, kUnitFrac;
     bool kAnchor, kSeries;
     int kFurtherWords;
     std::shared_ptr<const ref::CurveTable> kTable;  // none, or that of the core

@@ -85,6 +85,9 @@ TEST_F(ConfigFile, WhatIsWrongInItIsRefusedWithItsLine) {
     for (const char* text : {"quiet\n", "set = [\"Order=5\",\n\"CoefBits=30\"]\n", "x\n"}) {
         expect_refused(text, "bad.toml:1: error: expected name = value, or [command], in one line");
     }
+    for (const char* text : {"unit =\n", "unit = \"1um\n", "unit = \"1#um\"\n"}) {
+        expect_refused(text, "bad.toml:1: error: expected a value, or \"a value\" without # in it");
+    }
     expect_refused("unit = \"1parsec\"\n",
                    "bad.toml:1: error: --unit '1parsec': the unit must be nm, um, mm, m or in");
     // Of a value on the line the file's line says nothing.
@@ -102,6 +105,29 @@ TEST_F(ConfigFile, OptionsThatDoNotGoTogetherAreOfTheFirstThatIsNamed) {
     const ProgramResult result = program_.run({"run", "part.ngc", "--config", "bad.toml"});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, "bad.toml:2: error: --stall is for --on rtl and systemc-rtl\n");
+}
+
+TEST_F(ConfigFile, LeavesWhatIsBehindItsOptionsAlone) {
+    program_.write(
+        "curvecore.toml",
+        "[curve]\nrow = [\"T=1,0,0\", \"N=0,1,0\", \"kappa=0,0,0\", \"sigma=0.0025\"]\n");
+    const ProgramResult result = program_.run({"curve", "check", "clothoid", "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(Json::parse(result.out).contains("bound_units"));
+}
+
+TEST_F(ConfigFile, IsNotReadForHelpNorWhereNoneIsAskedFor) {
+    program_.write("curvecore.toml", "unti = 1\n");
+    EXPECT_EQ(program_.run({"plan", "--help"}).status, 0);
+    EXPECT_EQ(program_.run({"plan", "part.ngc", "-q"}).status, 2);
+    EXPECT_EQ(plan({"--config", "none"})["unit_mm"], 1e-6);
+}
+
+TEST_F(ConfigFile, SeesTheOptionsOfShortFlagsTogether) {
+    program_.write("curvecore.toml", "output = \"ours\"\nquiet = true\n");
+    const ProgramResult result = program_.run({"plan", "part.ngc", "-qo", "mine"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_FALSE(program_.exists("ours"));
 }
 
 TEST_F(ConfigFile, MayHoldWhatACommandMustBeGiven) {

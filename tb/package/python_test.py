@@ -4,6 +4,7 @@
 installed, beside the program."""
 
 import csv
+import os
 import pathlib
 import subprocess
 import sys
@@ -138,7 +139,7 @@ class PythonTest(unittest.TestCase):
         self.assertEqual((checked.name, checked.bound_units, checked.beyond),
                          ("clothoid", None, []))
         x = next(row for row in checked.rows if row.name == "x[k]")
-        self.assertEqual((x.bits, x.range, x.orders, x.largest), (28, 2, 6, None))
+        self.assertEqual((x.fraction_bits, x.range, x.orders, x.largest), (28, 2, 6, None))
         self.assertGreater(checked.engine.step_clocks, 100)
         steps = {"step_exponent": 22, "steps": 4}
         bounds = [curvecore.curve.check("clothoid", start, set={"CoefBits": bits}, **steps)
@@ -183,6 +184,13 @@ class PythonTest(unittest.TestCase):
             curvecore.curve.run("wave", row={"T": (1, 0, 0)}, **wave)
         with self.assertRaisesRegex(curvecore.InputError, "it is there, and not of these formulas"):
             curvecore.curve.derive(table, **{**wave, "y": "7*sin(w*t)"})
+
+    def test_defaults_of_a_folder_are_for_the_program_alone(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        pathlib.Path("curvecore.toml").write_text("unti = 1\n", encoding="ascii")
+        self.assertEqual(curvecore.curve.check("clothoid").name, "clothoid")
+        self.assertIn("lean", curvecore.curve.derive("lean.net", x="t", y="t*t", t=(0, 1)))
 
     def test_sources_are_there(self):
         files = curvecore.rtl_files()

@@ -144,9 +144,7 @@ void add_clocks(CLI::App& command, CoreChoice& core, Options& options, const Tim
         in_range(frequency, 1e3, 1e10));
     add_values(command, "--set", core.set, "NAME=VALUE",
                "a parameter of the core: " + ref::parameter_names(),
-               [](const std::string&, const std::string& text) { return single_parameter(text); })
-        ->allow_extra_args(false)
-        ->take_all();
+               [](const std::string&, const std::string& text) { return single_parameter(text); });
 }
 
 }  // namespace curvecore::sysc

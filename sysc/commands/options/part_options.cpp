@@ -322,9 +322,7 @@ void add_drawing(CLI::App& command, PartOptions& part) {
     add_values(command, "--dut", options.dut, "FILE.v",
                "a design of yours with the ports of rtl/motion_interpolator.sv, in place of the "
                "core; once for each of its files",
-               file_of_dut)
-        ->allow_extra_args(false)
-        ->take_all();
+               file_of_dut);
     command
         .add_option_function<std::vector<std::string>>(
             "--system",

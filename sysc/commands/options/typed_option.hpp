@@ -23,14 +23,17 @@ CLI::Option* add_value(CLI::App& command, const std::string& name, Value& value,
         ->run_callback_for_default();
 }
 
-/// Adds an option that may be given several times; every value is kept.
+/// Adds an option that may be given several times, with one value each; every value is kept.
 template <class Value, class Read>
 CLI::Option* add_values(CLI::App& command, const std::string& name, std::vector<Value>& values,
                         const char* type, const std::string& help, Read read) {
     const auto take = [&values, name, read](const std::vector<std::string>& texts) {
         for (const std::string& text : texts) values.push_back(read(name, text));
     };
-    return command.add_option_function<std::vector<std::string>>(name, take, help)->type_name(type);
+    return command.add_option_function<std::vector<std::string>>(name, take, help)
+        ->type_name(type)
+        ->allow_extra_args(false)
+        ->take_all();
 }
 
 /// Adds an option that is its text: a file, a name.

@@ -32,7 +32,7 @@ class WordFiles {
     void close(const Job& job);
 
     std::string summary(const Job& job) const;
-    /// What words.json has.
+    /// The content of words.json.
     nlohmann::ordered_json json(const Job& job) const;
     bool empty() const { return !writer_; }
 

@@ -18,6 +18,7 @@ namespace curvecore::sysc {
 namespace {
 
 constexpr const char* kOption = "--config";
+constexpr const char* kNone = "none";
 
 /// Name of the option in an argument: "--unit" of "--unit=1um", "-o" of "-oout".
 std::string option_in(const std::string& argument) {
@@ -65,12 +66,35 @@ std::vector<std::string> option_names(const std::vector<CLI::App*>& commands) {
     names.erase("help");
     names.erase("help-all");
     names.erase("config");
+    names.erase("json");  // of a command alone: scripts ask for it
     return {names.begin(), names.end()};
 }
 
-bool is_on_line(const CLI::Option& option, const std::vector<std::string>& arguments) {
-    return std::any_of(arguments.begin(), arguments.end(), [&option](const std::string& argument) {
-        return argument[0] == '-' && option.check_name(option_in(argument));
+/// Options in an argument: of "-qo" and "-qoout" two.
+std::vector<std::string> options_in(const CLI::App& command, const std::string& argument) {
+    if (argument.size() < 2 || argument[0] != '-') return {};
+    if (argument[1] == '-') return {option_in(argument)};
+    std::vector<std::string> options;
+    for (std::size_t n = 1; n < argument.size(); ++n) {
+        options.push_back(std::string("-") + argument[n]);
+        const CLI::Option* const option = command.get_option_no_throw(options.back());
+        if (option == nullptr || option->get_items_expected_max() != 0) break;
+    }
+    return options;
+}
+
+bool is_on_line(const CLI::App& command, const CLI::Option& option,
+                const std::vector<std::string>& arguments) {
+    return std::any_of(arguments.begin(), arguments.end(), [&](const std::string& argument) {
+        const std::vector<std::string> there = options_in(command, argument);
+        return std::any_of(there.begin(), there.end(),
+                           [&](const std::string& name) { return option.check_name(name); });
+    });
+}
+
+bool asks_for_help(const std::vector<std::string>& arguments) {
+    return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return argument == "-h" || argument == "--help" || argument == "--help-all";
     });
 }
 
@@ -85,8 +109,8 @@ void add_config(CLI::App& app) {
                 kOption, [](const std::string&) {},
                 fmt::format(
                     "defaults of options, a line each, as unit = \"1um\"; below [{}] of this "
-                    "command alone; {} in the working folder when left out",
-                    command->get_name(), kConfigFile))
+                    "command alone; {} in the working folder when left out; {}: no file",
+                    command->get_name(), kConfigFile, kNone))
             ->type_name("FILE.toml");
     }
 }
@@ -96,8 +120,9 @@ ConfigFile::ConfigFile(CLI::App& app, std::vector<std::string> arguments)
     if (arguments_.empty()) return;
     const std::string command = CLI::detail::to_lower(arguments_.front());
     CLI::App* const asked = command_named(app, command);
-    if (asked == nullptr || option_names({asked}).empty()) return;
+    if (asked == nullptr || option_names({asked}).empty() || asks_for_help(arguments_)) return;
     file_ = named_file(arguments_);
+    if (file_ == kNone) return;
     named_ = !file_.empty();
     std::error_code unknown;
     if (!named_) {
@@ -107,7 +132,7 @@ ConfigFile::ConfigFile(CLI::App& app, std::vector<std::string> arguments)
     take(app, ref::read_text_file(file_));
     std::vector<std::string> defaults;
     for (auto one = given_.begin(); one != given_.end();) {
-        const bool on_line = is_on_line(*asked->get_option(one->first), arguments_);
+        const bool on_line = is_on_line(*asked, *asked->get_option(one->first), arguments_);
         if (!on_line) {
             defaults.insert(defaults.end(), one->second.arguments.begin(),
                             one->second.arguments.end());
@@ -143,6 +168,13 @@ void ConfigFile::take(CLI::App& app, const std::string& text) {
                                                        ? CLI::ConfigTOML().from_config(one)
                                                        : std::vector<CLI::ConfigItem>();
         if (items.size() != 1) refuse("expected name = value, or [command], in one line");
+        static const std::regex hidden(R"re([^"#]*"[^"]*#.*)re");
+        const std::vector<std::string>& values = items.front().inputs;
+        const bool open = std::count(line.begin(), line.end(), '"') % 2 != 0;
+        if (open || std::regex_match(line, hidden) ||
+            std::find(values.begin(), values.end(), "") != values.end()) {
+            refuse("expected a value, or \"a value\" without # in it");
+        }
         if (!seen.emplace(section, items.front().fullname()).second) {
             refuse(fmt::format("'{}' is there twice", items.front().fullname()));
         }

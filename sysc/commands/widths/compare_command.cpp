@@ -173,9 +173,7 @@ void add_compare(CLI::App& app, int& status) {
     add_values(command, "--set", compare.set, "NAME=LIST",
                fmt::format("values of a parameter, 4,6 or 4:8 or 4:8:2; {} if not given: {}",
                            fmt::join(kComparedSets, " "), ref::parameter_names()),
-               [](const std::string&, const std::string& text) { return read_parameter(text); })
-        ->allow_extra_args(false)
-        ->take_all();
+               [](const std::string&, const std::string& text) { return read_parameter(text); });
     add_value(command, "--scheme", compare.schemes, "LIST",
               fmt::format("of splines, side by side: {}; the last three step once a tick",
                           fmt::join(kSchemeNames, ", ")),

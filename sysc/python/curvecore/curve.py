@@ -29,14 +29,14 @@ from curvecore._program import Option
 class Row:
     """A row of a table.
 
-    bits     of its words
-    range    its magnitude at most
-    orders   of its series
-    largest  its magnitude in the segment that was asked for; None: none was asked for, or no end
+    fraction_bits  of its words
+    range          its magnitude at most
+    orders         of its series
+    largest        its magnitude in the segment that was asked for; None: none was, or it has no end
     """
 
     name: str
-    bits: int
+    fraction_bits: int
     range: float
     orders: int
     largest: float | None = None

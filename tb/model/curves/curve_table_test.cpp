@@ -86,9 +86,10 @@ TEST(CurveTable, RefusalNamesFileLineAndReason) {
         {"start d[3] -2\nbus advance d", "error: d is made in `sample`"},
         {"curve d", "c.net:6: error: a table has one `curve`"},
         {"output n", "c.net:6: error: a table has one `output`"},
-        {"guard q", "error: guard: no line makes q"},
+        {"guard q", "error: guard: no line of `next` makes q"},
+        {"guard theta", "error: guard: no line of `next` makes theta"},
         {"start p -1\nconst p -1 0\nguard p\nanchor\n  p : -1 = theta",
-         "c.net:10: error: p is guarded: a line of `next` makes it"},
+         "error: guard: no line of `next` makes p"},
         {"words b -2", "c.net:6: error: 'words' begins no line of a table"}};
     for (const auto& [lines, reason] : cases) {
         EXPECT_NE(refused(lines).find(reason), std::string::npos) << lines << "\n"
@@ -108,6 +109,28 @@ TEST(CurveTable, GuardedRowsAreMadeOfEachOther) {
               "c.net:14: error: a guarded row that is not carried is read by guarded rows alone");
 }
 
+TEST(CurveTable, GuardedRowsAreNoVariables) {
+    const std::string carried = "start p -1\nconst p -1 0\nguard p q";
+    EXPECT_EQ(refused(carried,
+                      "next\n  q : -1 = theta >> s\n  p : -1 = p + q\nsample\n"
+                      "  d[k] : -2 = odd(x[k], p)"),
+              "c.net:15: error: p is guarded: no polynomial is of it");
+}
+
+TEST(CurveTable, OfCarriedStepsArePlacedAndMoved) {
+    const std::string placed = "anchor\n  place[k] : -2 = a[k]";
+    const std::string sample = "sample\n  d[k] : -2 = a[k]";
+    const std::string move = "  move[k] : -2 = sum(x[k])\n";
+    const std::string place = "  place[k] : -2 = a[k]\n";
+    EXPECT_EQ(refused(placed, "carry\n" + move + place + sample), "");
+    EXPECT_NE(refused(placed, "carry\n" + move + sample).find("it has no place[k]"),
+              std::string::npos);
+    EXPECT_NE(refused(placed, "carry\n" + place + sample).find("it has no move[k]"),
+              std::string::npos);
+    EXPECT_NE(refused(placed, "carry\n" + move + place).find("without `sample`"),
+              std::string::npos);
+}
+
 TEST(CurveTable, OfANetworkAloneIsNoCurve) {
     const std::string text = "curve h y = 1 / t\nstart y 0\nnext\n  y : 0 = 1/2 y";
     EXPECT_TRUE(read_network_text("h.net", text).network());
@@ -116,6 +139,21 @@ TEST(CurveTable, OfANetworkAloneIsNoCurve) {
         FAIL() << "it draws nothing";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(), "h.net:1: error: a network alone: it has no `output` to draw");
+    }
+    const std::pair<const char*, const char*> cases[] = {
+        {"curve h\nstart y[3] 0\nnext\n  y[k] : 0 = 1/2 y[k]",
+         "h.net:2: error: y is a row of each axis: a network alone has none"},
+        {"curve h\nstart y 0\nnext\n  y : 0 = y >> s",
+         "h.net:4: error: a network alone has no samples, and no scale s"},
+        {"curve h\nstart y 0\nsample\n  q : 0 = y",
+         "h.net:4: error: a network alone has no samples, and no scale s"}};
+    for (const auto& [lines, reason] : cases) {
+        try {
+            read_network_text("h.net", lines);
+            ADD_FAILURE() << lines;
+        } catch (const InputError& error) {
+            EXPECT_STREQ(error.what(), reason);
+        }
     }
 }
 

@@ -194,8 +194,7 @@ TEST_P(FormulaCurve, IsDrawnInWordsWithinItsBound) {
     const DerivedCurve exact(GetParam());
     ref::PlanOptions options;
     ref::add_table(exact.table(), options.format);
-    sysc::ValueRanges ranges(options.format.coef_bits);
-    const sysc::RunTimeFormat format(options.format, 3, &ranges);
+    const sysc::RunTimeFormat format(options.format, 3);
     // A part of the curve: its bound takes some milliseconds a step.
     const double from = 0.4 * exact.length();
     const double length = std::min(0.1 * exact.length(), 4.0);

@@ -41,8 +41,7 @@ TEST_P(TableFamily, InWordsIsWithinItsBound) {
     constexpr double kUnit = 1e-6;  // mm
     ref::PlanOptions options;
     ref::add_table(families_.table(GetParam()), options.format);
-    sysc::ValueRanges ranges(options.format.coef_bits);
-    const sysc::RunTimeFormat format(options.format, 3, &ranges);
+    const sysc::RunTimeFormat format(options.format, 3);
     double most = 0;
     for (int n = 0; n < cases(1, 50); ++n) {
         const TableCase exact = families_.next(GetParam());
