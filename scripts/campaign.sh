@@ -138,10 +138,8 @@ overrides() {
 }
 
 models() {
-  build model_tests
-  CURVECORE_LONG=1 $tb/model_tests | tee $out/models.run
-  CURVECORE_CUBICS=10000 $tb/model_tests --gtest_filter="SlowClock.*" | tee -a $out/models.run
-  sed -nE 's/^\[  PASSED  \] ([0-9]+) tests?\./\1 tests passed/p;T;q' $out/models.run | result
+  build label_model
+  CURVECORE_LONG=1 CURVECORE_CUBICS=10000 run_tests release -L "^model$"
 }
 
 equality() {

@@ -75,6 +75,6 @@ def curve_page(docs, program, name, example):
 
 
 def curve_pages(docs, program, examples):
-    names = sorted(file.split("/")[2][:-4] for file in docs.files
-                   if file.startswith("ref/curves/") and file.endswith(".net"))
+    names = sorted(found[1] for file in docs.files  # a network alone has no page
+                   if (found := re.fullmatch(r"ref/curves/(\w+)\.net", file)))
     return [curve_page(docs, program, name, examples.get(name)) for name in names]

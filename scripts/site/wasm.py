@@ -17,8 +17,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Libraries of headers, by the folders of theirs: nothing else of the machine's is to be seen.
 LIBRARIES = ("boost", "eigen3/Eigen", "eigen3/unsupported", "fmt", "nlohmann", "CLI")
-ROOMS = ("cli", "formats", "core", "words", "job", "board", "curves", "cost", "watch", "report",
-         "commands/options", "wasm")
+ROOMS = ("cli", "formats", "core", "kernel", "words", "job", "board", "curves", "cost", "watch",
+         "report", "commands/options", "wasm")
 SINGLE = ("sysc/commands/terminal/help.cpp", "sysc/commands/terminal/nearest.cpp")
 APART = (ROOT / "sysc/curves", ROOT / "rtl/engine/compiler")  # names of theirs are in two files
 COMPILE = ("-std=c++17 -O2 -fexceptions -ffp-contract=off -DFMT_HEADER_ONLY"

@@ -24,8 +24,8 @@ std::uint64_t count_samples(const Job& job) {
                          job.options.override_word());
 }
 
-void draw_by_kernel(const Job& job, std::uint64_t samples,
-                    const std::function<void(const Sample& sample)>& take) {
+BoardStatus draw_by_kernel(const Job& job, std::uint64_t samples,
+                           const std::function<void(const Sample& sample)>& take) {
     KernelBoard board(job.options.core, board_settings(job));
     Feeder feeder(job, samples, board);
     std::vector<Sample> batch;
@@ -34,6 +34,7 @@ void draw_by_kernel(const Job& job, std::uint64_t samples,
         feeder.turn(batch);
         for (const Sample& sample : batch) take(sample);
     }
+    return board.status();
 }
 
 }  // namespace curvecore::sysc

@@ -15,8 +15,8 @@ Sample start_of(const Job& job);
 /// Number of a job's samples.
 std::uint64_t count_samples(const Job& job);
 
-/// Draws a job of so many samples, and hands over each.
-void draw_by_kernel(const Job& job, std::uint64_t samples,
-                    const std::function<void(const Sample& sample)>& take);
+/// Draws a job of so many samples, and hands over each. Returns how the board ends.
+BoardStatus draw_by_kernel(const Job& job, std::uint64_t samples,
+                           const std::function<void(const Sample& sample)>& take);
 
 }  // namespace curvecore::sysc

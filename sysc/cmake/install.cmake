@@ -19,7 +19,9 @@ foreach(folder ref hls sysc/cli sysc/core sysc/kernel sysc/words sysc/job)
   cmake_path(GET folder PARENT_PATH parent)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers}/${parent}
           COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def
-          PATTERN kernel_text.hpp EXCLUDE PATTERN row_names.hpp EXCLUDE)
+          PATTERN kernel_text.hpp EXCLUDE PATTERN statements.hpp EXCLUDE
+          PATTERN line_text.hpp EXCLUDE PATTERN row_names.hpp EXCLUDE
+          PATTERN order_limits.hpp EXCLUDE)
 endforeach()
 install(EXPORT curvecore NAMESPACE curvecore:: FILE curvecoreTargets.cmake DESTINATION ${config}
         COMPONENT libraries)

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sysc/board/feeder.hpp"
-#include "sysc/board/kernel_board.hpp"
+#include "sysc/board/kernel_drawing.hpp"
 #include "sysc/cli/html_page.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/options/part_options.hpp"
@@ -59,21 +58,14 @@ DrawnPart draw_part(std::vector<std::string> arguments) {
                         "a longer --sample-period may do",
                         job.plan.duration_s, kMostSamples));
     }
-    const std::uint64_t samples =
-        count_samples(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());
+    const std::uint64_t samples = count_samples(job);
     Pictures pictures(job, samples / static_cast<std::uint64_t>(job.options.samples_per_tick));
     SamplesWriter writer("samples.csv", job, samples);
     Checker checker(job, writer, pictures);
-    KernelBoard board(job.options.core, board_settings(job));
-    Feeder feeder(job, samples, board);
-    std::vector<Sample> batch;
-    while (!feeder.done()) {
-        batch.clear();
-        feeder.turn(batch);
-        for (const Sample& sample : batch) checker.take(sample);
-    }
+    const BoardStatus status =
+        draw_by_kernel(job, samples, [&](const Sample& sample) { checker.take(sample); });
     writer.close();
-    const BoardResult drawn{checker.result(), board.status(), 0, 0, std::nullopt};
+    const BoardResult drawn{checker.result(), status, 0, 0, std::nullopt};
     const Report report{job, samples, drawn.check.drawn, &drawn, std::nullopt};
     const std::string data = report_data(report, pictures);
     nlohmann::ordered_json more;

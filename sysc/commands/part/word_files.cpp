@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "hls/words.hpp"
+#include "ref/feed/pieces/profile_words.hpp"
 #include "ref/machine/path_quantum.hpp"
 #include "sysc/cli/comment_text.hpp"
 #include "sysc/job/made_for.hpp"
