@@ -17,7 +17,6 @@ namespace {
 
 using ref::CurveRow;
 using ref::CurveTable;
-using ref::TableLine;
 
 /// The header behind its remarks.
 constexpr const char* kClass = R"(#pragma once
@@ -234,8 +233,6 @@ class Writer {
 
     // --- functions
 
-    bool makes(const std::string& row) const { return table_.rows.count(row) != 0; }
-
     std::string further() const {
         if (table_.network()) return "\n";
         return fmt::format(
@@ -261,11 +258,8 @@ class Writer {
         return "    /// Begins with a first step.\n    void load(" + arguments + ") {\n" + text;
     }
     std::string on_step() const {
-        const std::string text = statements_.section("next", 2);
-        const auto& lines = table_.section("next");
-        const bool moves = std::any_of(lines.begin(), lines.end(),
-                                       [](const TableLine& line) { return line.row == "move"; });
-        return text + (moves ? pad(2) + "Steps::move_origin(move_);\n" : "") +
+        return statements_.section("next", 2) +
+               (ref::makes(table_, "next", "move") ? pad(2) + "Steps::move_origin(move_);\n" : "") +
                (table_.network() ? "" : pad(2) + "Steps::move_auxiliary();\n");
     }
     static std::string either(const char* condition, const char* one, const char* other) {
@@ -279,16 +273,18 @@ class Writer {
                                      : pad(2) + "anchor();\n";
     }
     std::string anchor() const {
-        return statements_.section("anchor", 2) +
-               (makes("place") ? pad(2) + "Steps::place_origin(place_);\n" : "");
+        return statements_.section("anchor", 2) + (ref::makes(table_, "anchor", "place")
+                                                       ? pad(2) + "Steps::place_origin(place_);\n"
+                                                       : "");
     }
     std::string carry() const {
         if (!table_.carries(false)) return "";
         return "    /// The same with Anchor 0, of the step before.\n    void carry() {\n" +
                locals(RowNames::kCarry) + statements_.section("carry", 2) +
-               (makes("place") ? either("C::kSeries", "Steps::move_origin(move_)",
-                                        "Steps::place_origin(place_)")
-                               : "") +
+               (ref::makes(table_, "carry", "place")
+                    ? either("C::kSeries", "Steps::move_origin(move_)",
+                             "Steps::place_origin(place_)")
+                    : "") +
                "    }\n";
     }
 

@@ -39,7 +39,7 @@ class OrderLimits {
     }
     /// The condition for order i, empty for every one.
     std::string condition(const std::string& row) const {
-        const std::string anchored = condition(below_[1], row);
+        std::string anchored = condition(below_[1], row);
         const std::string carried = carries_ ? condition(below_[0], row) : anchored;
         if (anchored == carried) return anchored;
         if (carried.empty()) return "!C::kAnchor || " + anchored;

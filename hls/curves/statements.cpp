@@ -135,14 +135,10 @@ std::string Statements::condition(const TableLine& line, bool order) const {
                    ? ""
                    : fmt::format("C::kOrder >= {}", named);
     }
-    const std::string text = limits_.condition(line.row);
-    for (const TableLine& anchor : table_.section("anchor")) {
-        if (anchor.row != line.row || anchor.order.value_or(0) != 1) continue;
-        if (text.empty()) return "i > 1";
-        return "i > 1 && " +
-               (text.find_first_of("|?") == std::string::npos ? text : "(" + text + ")");
-    }
-    return text;
+    std::string text = limits_.condition(line.row);
+    if (ref::first_order(table_, line.row) == 1) return text;
+    if (text.empty()) return "i > 1";
+    return "i > 1 && " + (text.find_first_of("|?") == std::string::npos ? text : "(" + text + ")");
 }
 
 }  // namespace hls

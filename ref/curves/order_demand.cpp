@@ -14,6 +14,20 @@ RowOperand same_row(const CurveTable& table, RowOperand operand) {
     return operand;
 }
 
+bool makes(const CurveTable& table, const std::string& section, const std::string& row) {
+    const std::vector<TableLine>& lines = table.section(section);
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const TableLine& line) { return line.row == row; });
+}
+
+int first_order(const CurveTable& table, const std::string& row) {
+    const std::vector<TableLine>& anchor = table.section("anchor");
+    const bool begun = std::any_of(anchor.begin(), anchor.end(), [&](const TableLine& line) {
+        return line.row == row && line.order.value_or(0) == 1;
+    });
+    return begun ? 2 : 1;
+}
+
 bool meet_as_series(const CurveTable& table, const TableTerm& term) {
     const auto series = [&](const RowOperand& of) {
         return table.rows.at(of.row).series && !of.order;

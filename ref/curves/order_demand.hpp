@@ -18,6 +18,12 @@ std::map<std::string, int> order_demand(const CurveTable& table, int order, bool
 /// Returns the row that a row stands for, with the orders that it is lower by.
 RowOperand same_row(const CurveTable& table, RowOperand operand);
 
+/// Returns whether a line of a section makes a row.
+bool makes(const CurveTable& table, const std::string& section, const std::string& row);
+
+/// The first order of a row that `order` makes: 2 where `anchor` gives order 1.
+int first_order(const CurveTable& table, const std::string& row);
+
 /// Returns whether two rows meet as in a Stieltjes integrator or as factors, over all orders.
 bool meet_as_series(const CurveTable& table, const TableTerm& term);
 

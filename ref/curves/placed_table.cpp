@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/curves/placed_table.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "ref/curves/order_demand.hpp"
@@ -47,11 +46,7 @@ PlacedLine PlacedTable::placed(const TableLine& line, bool order,
     made.places = line.row == "place";
     if (order) {
         made.last = needed.at(line.row);
-        const auto& anchor = table_.section("anchor");
-        const bool begun = std::any_of(anchor.begin(), anchor.end(), [&](const TableLine& other) {
-            return other.row == line.row && other.order.value_or(0) == 1;
-        });
-        made.first = begun ? 2 : 1;
+        made.first = first_order(table_, line.row);
     }
     if (line.function != TableLine::Function::kTerms) made.series = operand(line.series);
     if (line.function == TableLine::Function::kHorner) made.variable = numbers_.at("tau");

@@ -56,10 +56,7 @@ inline void check_places(const CurveTable& table) {
 inline void check_carry(const CurveTable& table, const Place& end) {
     if (table.section("carry").empty() || table.rows.count("place") == 0) return;
     for (const char* row : {"move", "place"}) {
-        const auto& lines = table.section("carry");
-        const bool made = std::any_of(lines.begin(), lines.end(),
-                                      [&](const TableLine& line) { return line.row == row; });
-        if (!made) {
+        if (!makes(table, "carry", row)) {
             end.refuse(
                 fmt::format("`anchor` places the steps: `carry` makes move[k] and place[k], "
                             "it has no {}[k]",
@@ -95,10 +92,7 @@ inline void check_guards(const CurveTable& table, const Place& end) {
                table.rows.at(term.a.row).fraction == line.fraction;
     };
     for (const std::string& row : table.guarded) {
-        const auto& next = table.section("next");
-        const bool made = std::any_of(next.begin(), next.end(),
-                                      [&](const TableLine& line) { return line.row == row; });
-        if (!made) end.refuse("guard: no line of `next` makes " + row);
+        if (!makes(table, "next", row)) end.refuse("guard: no line of `next` makes " + row);
     }
     const auto wide = [&](const RowOperand& of) {  // it has no word without its guard bits
         return guarded(of.row) && !table.rows.at(of.row).start;
@@ -141,8 +135,8 @@ inline void check_orders(const CurveTable& table) {
         const auto early = [&](const RowOperand& read) {
             if (read.row.empty()) return false;
             const RowOperand of = same_row(table, read);
-            const auto makes = [&](const TableLine& other) { return other.row == of.row; };
-            return of.primes == 0 && !of.order && std::any_of(line, lines.end(), makes);
+            const auto same = [&](const TableLine& other) { return other.row == of.row; };
+            return of.primes == 0 && !of.order && std::any_of(line, lines.end(), same);
         };
         for (const TableTerm& term : line->terms) {
             if (term.meeting == TableTerm::Meeting::kConstant) continue;

@@ -182,7 +182,7 @@ class Reader {
         if (made.word || made.same_as || (made.value && !made.start)) {
             place.refuse(line.row + " is fixed: no line makes it");
         }
-        if (section_ != "load" && makes("load", line.row)) {
+        if (section_ != "load" && makes(table_, "load", line.row)) {
             place.refuse(line.row + " is made in `load`, once for its segment");
         }
         if (made.fraction != line.fraction) {
@@ -199,14 +199,9 @@ class Reader {
 
     /// Returns whether a section before `next` makes a row.
     bool made_before(const std::string& row) const {
-        return makes("load", row) || makes("anchor", row) || makes("order", row);
+        return makes(table_, "load", row) || makes(table_, "anchor", row) ||
+               makes(table_, "order", row);
     }
-    bool makes(const char* section, const std::string& row) const {
-        const auto& lines = table_.section(section);
-        return std::any_of(lines.begin(), lines.end(),
-                           [&](const TableLine& line) { return line.row == row; });
-    }
-
     bool on_bus(const std::string& name) const {
         for (const auto& [field, of] : table_.bus) {
             if (of == name) {

@@ -121,9 +121,7 @@ class Lowering {
         for (int axis = kAxesBeforeOthers; axis < core_.axes(); ++axis) {
             copy(auxiliary("origin", axis), auxiliary("start", axis));
         }
-        const auto& anchor = table_.section("anchor");
-        if (std::none_of(anchor.begin(), anchor.end(),
-                         [](const TableLine& line) { return line.row == "place"; })) {
+        if (!ref::makes(table_, "anchor", "place")) {
             copy(writer_.value(place_word::kOrigin, true), writer_.value(place_word::kStart, true));
         }
         for (const auto& [name, row] : table_.rows) {
